@@ -13,7 +13,7 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     try:
         number = index(value)
     except TypeError:
-        raise AnimationError(f"{name} is a whole number, not {value!r}") from None
+        raise AnimationError(f"{name} must be a whole number, not {value!r}") from None
     if not least <= number <= most:
         raise AnimationError(f"{name} is {number}; expected a number from {least} to {most}")
     return number
@@ -24,7 +24,7 @@ def real(name: str, value: Any, *, above: float | None = None, least: float | No
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError):
-        raise AnimationError(f"{name} is a real number, not {value!r}") from None
+        raise AnimationError(f"{name} must be a real number, not {value!r}") from None
     if not isfinite(number):
         raise AnimationError(f"{name} is {number}; expected a finite number")
     if above is not None and not number > above:

@@ -80,9 +80,7 @@ def _kind(value: Any, values: list[Any]) -> Any:
     """
     if isinstance(value, np.ndarray):
         if not value.flags.c_contiguous:
-            raise ValueError(
-                "a kernel takes arrays in one piece, with the last index running fastest"
-            )
+            raise ValueError("a kernel takes C-contiguous arrays")
         values.append(address(value))
         values.extend(value.shape)
         return value.dtype, value.ndim

@@ -77,8 +77,8 @@ def clip(
     if count is not None and rate is not None and length is not None:
         if abs(length * rate - count) > 0.5:
             raise AnimationError(
-                f"{count} frames at {rate:g} a second do not last {length:g} seconds; "
-                "give two of frames, fps and duration"
+                f"{count} frames at {rate:g} a second do not last {length:g} seconds; give only two of "
+                "frames, fps and duration"
             )
     elif length is None and scale is not None and (count is None or rate is None):
         length = SECONDS / scale

@@ -94,8 +94,8 @@ class Recorded:
 def read_motion(path: str | Path) -> Recorded:
     """Return the attitudes in a text file: w, x, y, z on each line, or the seconds before them.
 
-    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file that is no table
-    of numbers, and :class:`~anim.errors.AnimationError` for numbers that are no motion. Both messages name
+    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file other than a
+    table of numbers, and :class:`~anim.errors.AnimationError` for numbers that are no motion. Both name
     the file and the line.
     """
     table = read_table(path, COLUMNS)
@@ -103,7 +103,7 @@ def read_motion(path: str | Path) -> Recorded:
     zero = np.flatnonzero(~q.any(axis=1))
     if len(zero):
         raise AnimationError(
-            f"{table.place(int(zero[0]))}: the quaternion is 0, which is no rotation; expected another"
+            f"{table.place(int(zero[0]))}: the quaternion is 0, which is not a rotation; expected another"
         )
     if len(q) < 2:
         raise AnimationError(f"{table.place(0)} is the only attitude; expected two or more")
@@ -131,7 +131,7 @@ class Function:
             return np.empty((0, 4))
         if any(value.shape != found[0].shape for value in found):
             raise AnimationError(
-                "the motion's function returns both quaternions and matrices; expected one kind"
+                "the motion's function returns both quaternions and matrices; expected only one of the two"
             )
         return np.stack(found)
 
@@ -156,10 +156,10 @@ class Function:
             raise AnimationError(f"{where} returns {array.tolist()}, which is not finite")
         if array.shape == (3, 3):
             if not (abs(array @ array.T - np.eye(3)).max() < 1e-6 and np.linalg.det(array) > 0):
-                raise AnimationError(f"{where} returns a matrix that is no rotation")
+                raise AnimationError(f"{where} returns a matrix that is not a rotation")
             return array
         if not array.any():
-            raise AnimationError(f"{where} returns the quaternion 0, which is no rotation")
+            raise AnimationError(f"{where} returns the quaternion 0, which is not a rotation")
         return np.asarray(normalised(array))
 
 
@@ -187,7 +187,7 @@ def _quaternions(source: Any) -> Floats:
         raise AnimationError(f"quaternion {wrong[0]} of the motion is not finite")
     zero = np.flatnonzero(~q.any(axis=1))
     if len(zero):
-        raise AnimationError(f"quaternion {zero[0]} of the motion is 0, which is no rotation")
+        raise AnimationError(f"quaternion {zero[0]} of the motion is 0, which is not a rotation")
     return np.asarray(normalised(q))
 
 

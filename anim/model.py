@@ -80,7 +80,7 @@ class Model:
         pictures fit any size, and ``Body.turned(model.profile, scale=…)`` takes the length of the unit in
         metres. The lowest point is put on the ground; where the outline begins or ends off the axis, a flat
         disc closes it. Raises :class:`~anim.errors.AnimationError`, which names the point, or the file and
-        its line, and :class:`~hfield.errors.TableError` for a file that is no table of numbers.
+        its line, and :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
 
         >>> egg = Model.from_outline([(0, 0), (1, 0.8), (2, 1), (3, 0.6), (3.5, 0)], ring=12)
         >>> egg.height, len(egg.polygons)

@@ -48,13 +48,13 @@ def checked_outline(
         before = z
         if radius == 0 and 0 < n < len(pairs) - 1:
             raise AnimationError(
-                f"{where(n)}: the radius is 0 between the ends, where the top would fall in two; "
-                "expected a positive radius"
+                f"{where(n)}: the radius is 0 between the ends, which would split the top; expected a "
+                "positive radius"
             )
     start, end = pairs[0][0], pairs[-1][0]
     if not any(z1 > z0 and r0 + r1 > 0 for (z0, r0), (z1, r1) in pairwise(pairs)):
         raise AnimationError(
-            "the outline holds no volume: expected a positive radius and heights that rise"
+            "the outline encloses no volume: expected a positive radius and heights that rise"
         )
     profile = [(radius, z - start) for z, radius in pairs]
     if profile[0][0] > 0:
@@ -68,7 +68,7 @@ def checked_outline(
 def read_outline(path: str | Path) -> Profile:
     """Return the profile in a text file: z and radius on each line, in one unit.
 
-    Raises :class:`~hfield.errors.TableError` for a file that is no table, and
+    Raises :class:`~hfield.errors.TableError` for a file that is not a table, and
     :class:`~anim.errors.AnimationError` for what is no outline; both name the file and the line.
     """
     table = read_table(path, {2: "z and the radius"})

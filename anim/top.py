@@ -35,7 +35,7 @@ class Top:
     (n, 4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions;
     see :func:`~anim.given_motion.motion_of`. ``clip`` gives the number and rate of frames, unless ``motion``
     is a Motion, which has its own. Raises :class:`~anim.errors.AnimationError` if ``motion`` is no motion,
-    and :class:`~hfield.errors.TableError` for a file that is no table of numbers.
+    and :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
 
     >>> from anim import Model, Top
     >>> Top("product", Model(ring=60))

@@ -136,7 +136,7 @@ class NoSolutionError(HFieldError, ValueError):
 
 
 class TableError(HFieldError, ValueError):
-    """A file that is no table of numbers; the message names the file and the line.
+    """A file that is not a table of numbers; the message names the file and the line.
 
     >>> issubclass(TableError, ValueError)
     True

@@ -113,7 +113,7 @@ class Facts:
 class TextTable:
     """Rows of texts in columns, of which the last one wraps; ``align`` has < or > for each of the others.
 
-    In LaTeX ``columns`` aligns as many of them, and ``cells`` sets what is no words. A ``title`` and what is
+    In LaTeX ``columns`` aligns as many of them, and ``cells`` sets what is not words. A ``title`` and what is
     said ``below`` are for pages.
     """
 

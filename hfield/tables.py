@@ -40,7 +40,7 @@ def read_table(path: str | Path, columns: Mapping[int, str]) -> NumberTable:
     except OSError as error:
         raise TableError(f"{name!r} could not be read: {error.strerror or error}") from None
     except UnicodeDecodeError:
-        raise TableError(f"{name!r} is no text in UTF-8; expected lines of numbers") from None
+        raise TableError(f"{name!r} is not UTF-8 text; expected lines of numbers") from None
     expected = " or ".join(f"{count} numbers ({what})" for count, what in columns.items())
     rows: list[list[float]] = []
     lines: list[int] = []
@@ -55,7 +55,7 @@ def read_table(path: str | Path, columns: Mapping[int, str]) -> NumberTable:
         where = f"{name}, line {number}"
         wrong = next((field for field in fields if not is_number(field)), None)
         if wrong is not None:
-            what = f"{shorten(wrong)!r} is no number" if wrong else "a value is missing"
+            what = f"{shorten(wrong)!r} is not a number" if wrong else "a value is missing"
             raise TableError(f"{where}: {what}; expected {expected}")
         values = [float(field) for field in fields]
         allowed = [len(rows[0])] if rows else list(columns)

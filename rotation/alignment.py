@@ -75,7 +75,7 @@ def align_points(
     a, b, w = checked(target, source, weights)
     xp = namespace(a)
     if certainly(xp.any(xp.isinf(w))):
-        raise RotationError("an infinite weight would fix a point of the motion; give a finite one")
+        raise RotationError("an infinite weight is not supported here; give a finite one")
     refuse_rows(xp.all(w == 0.0, axis=-1), "the weights", "are all zero")
     # Differences of the largest floats are none: taken are those of quarters.
     size = xp.maximum(largest(xp, a), largest(xp, b))

@@ -116,7 +116,7 @@ class Batch(ImmutableArray):
         RotationError
             There are none, or their other axes differ.
         MemberError
-            Something among them is no rotation; it is a DTypeError and a RotationError.
+            Something among them is not a rotation; it is a DTypeError and a RotationError.
         """
         if not isinstance(rotations, Batch | Iterable):
             raise MemberError(

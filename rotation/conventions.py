@@ -1,6 +1,6 @@
 """From the axes of one program to those of another: which way is forward, left and up, and which hand.
 
-A convention is three signed axes. A change between two of opposite hands is no rotation; what it makes
+A convention is three signed axes. A change between two of opposite hands is not a rotation; what it makes
 of a rotation R still is, ``S·R·S⁻¹``, and of a rigid motion one again. The axes are those that the programs'
 own manuals state.
 """
@@ -142,7 +142,7 @@ def look_at(
     """
     own = _basis(convention)
     if np.linalg.det(own) < 0.0:
-        raise RotationError(f"convention {convention!r} is left-handed: no rotation leads there")
+        raise RotationError(f"convention {convention!r} is left-handed: no rotation converts to it")
     expect_numpy("look_at", eye, target, up)
     at, to, above = (floats(v, n) for v, n in ((eye, "eye"), (target, "target"), (up, "up")))
     for v, name in ((at, "eye"), (to, "target"), (above, "up")):

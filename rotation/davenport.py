@@ -111,7 +111,7 @@ def to_davenport(
     unit, intrinsic = checked_axes(axes, order)
     expect_numpy("as_davenport", q)
     if unit.shape[-2] != 3:
-        raise RotationError("three axes are needed to hold every rotation")
+        raise RotationError("three axes are needed to represent every rotation")
     common_batch(rotations=q.shape[:-1], axes=unit.shape[:-2])
     found = _reading(intrinsic, bool(degrees), tolerance)(q, unit)
     return np.ascontiguousarray(found[..., :3], q.dtype), found[..., 3] != 0.0

@@ -87,7 +87,7 @@ def _expect_group(q: Array) -> None:
     inside = np.abs(products @ q.T) > 1.0 - _SAME
     if not len(q) or not (inside.sum(axis=1) == 1).all():
         raise RotationError(
-            f"the {len(q)} rotations are no group: each product of two must be one of them, each of them "
+            f"the {len(q)} rotations are not a group: each product of two must be one of them, each of them "
             "once; Rotation.create_group makes some"
         )
 

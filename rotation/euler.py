@@ -132,7 +132,9 @@ def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
     """
     axes, intrinsic = sequence(seq)
     if len(axes) != 3:
-        raise RotationError(f"sequence {seq!r}: three letters are needed to hold every rotation")
+        raise RotationError(
+            f"sequence {seq!r}: three letters are needed to represent every rotation"
+        )
     return _reading(axes, intrinsic, bool(degrees))(q)
 
 

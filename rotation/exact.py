@@ -25,7 +25,7 @@ def exact_matrix(q: Any) -> tuple[tuple[Any, ...], ...]:
     Raises
     ------
     RotationError
-        ``q`` is no quaternion of Hamilton's algebra.
+        ``q`` is not a quaternion of Hamilton's algebra.
     HFieldError
         It has no inverse.
 
@@ -133,7 +133,7 @@ def _expect_hamilton(q: Any) -> None:
     algebra = getattr(q, "algebra", None)
     if not isinstance(algebra, QuaternionAlgebra) or algebra != H(algebra.ring):
         raise RotationError(
-            f"{q!r} is no quaternion of Hamilton's algebra, such as hfield.H('QQ')(1, 1, 0, 0) is"
+            f"{q!r} is not a quaternion of Hamilton's algebra, such as hfield.H('QQ')(1, 1, 0, 0) is"
         )
 
 
@@ -145,7 +145,7 @@ def _rounded(x: Any) -> float:
     except (HFieldError, AttributeError) as error:
         variables = getattr(field, "variable_names", ())
         raise RotationError(
-            f"{x} is no real algebraic number, so it is not rounded"
+            f"{x} is not a real algebraic number, so it is not rounded"
             + (f"; give values to {', '.join(variables)} first, by subs" if variables else "")
         ) from error
     if not ball.imag.contains(0):

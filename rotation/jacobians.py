@@ -78,7 +78,7 @@ def vee(matrix: ArrayLike) -> Array:
     largest = xp.max(xp.abs(m), axis=(-2, -1))
     off = xp.max(xp.abs(m - hat(tangent)), axis=(-2, -1))
     allowed = 1e-9 if xp.finfo(m.dtype).bits == 64 else 1e-4
-    refuse_rows(off > allowed * largest, "the matrix", "is no tangent: hat does not make it")
+    refuse_rows(off > allowed * largest, "the matrix", "is not a tangent: hat does not make it")
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))[..., None]
     return xp.where(finite, tangent, xp.nan * tangent)
 

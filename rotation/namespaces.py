@@ -90,8 +90,8 @@ def _own_namespace(value: object) -> Namespace | None:
         with contextlib.suppress(ImportError):
             return cast(Namespace, import_module("array_api_compat").array_namespace(value))
         raise ForeignArrayError(
-            f"{type(value).__name__} does not say which array namespace it has; "
-            "'pip install array-api-compat' makes it known"
+            f"{type(value).__name__} does not say which array namespace it has; install array-api-compat to "
+            "have it recognised"
         )
     return None
 
@@ -166,7 +166,7 @@ def _as_array(xp: Namespace, value: object, what: str) -> Array:
         try:
             return xp.asarray(numbers.tolist())  # of sympy
         except (TypeError, ValueError, RuntimeError):
-            raise RotationError(f"{what} is no array of numbers: {error}") from error
+            raise RotationError(f"{what} is not an array of numbers: {error}") from error
 
 
 def copied(array: Array) -> Array:

@@ -63,7 +63,7 @@ class Forms(ImmutableArray):
         Raises
         ------
         RotationError
-            Another last row, or the upper left 3 × 3 block is no rotation; see `Rotation.from_matrix`.
+            Another last row, or the upper left 3 × 3 block is not a rotation; see `Rotation.from_matrix`.
         """
         m = floats(matrix, "matrices")
         motions.expect_affine(m)

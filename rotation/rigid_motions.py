@@ -146,7 +146,7 @@ def expect_affine(m: Array) -> None:
     refuse_rows(
         ~((last[..., 3] == 1.0) & xp.all(last[..., :3] == 0.0, axis=-1)),
         "the matrix",
-        "has not the last row [0, 0, 0, 1], so it is no rigid transform",
+        "has not the last row [0, 0, 0, 1], so it is not a rigid transform",
     )
 
 

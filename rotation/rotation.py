@@ -401,7 +401,7 @@ class Rotation(Conversions):
         Raises
         ------
         RotationError
-            No such group, or rotations that are no group; shapes that do not fit.
+            No such group, or rotations that are not a group; shapes that do not fit.
         ForeignArrayError
             Arrays that are not numpy's.
 

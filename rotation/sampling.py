@@ -34,7 +34,7 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
 def generator(rng: Seed | None, seed: Seed | None) -> "np.random.Generator":
     """Return the generator that one of the two stands for; raises RotationError where none can be."""
     if rng is not None and seed is not None:
-        raise RotationError("rng and seed are two names of one thing; give one of them")
+        raise RotationError("rng and seed are two names of the same argument; give only one")
     given = seed if rng is None else rng
     try:
         return np.random.default_rng(given)

@@ -45,8 +45,8 @@ def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tu
         v, w = v[None, :], w[None, :]
     if v.shape != w.shape or not v.shape[-2]:
         raise RotationError(
-            f"vectors of shapes {tuple(v.shape)} and {tuple(w.shape)}: "
-            "as many of one kind as of the other are expected, and at least one pair"
+            f"vectors of shapes {tuple(v.shape)} and {tuple(w.shape)}: expected equally many of both, and at "
+            "least one pair"
         )
     return v, w
 
@@ -65,11 +65,11 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
     """
     if not is_numpy(namespace(w)) or not np.isinf(w).any():
         if not is_numpy(namespace(w)) and certainly(namespace(w).any(namespace(w).isinf(w))):
-            raise RotationError("infinite weights are taken with numpy arrays only")
+            raise RotationError("infinite weights are supported for numpy arrays only")
         return None
     if w.ndim > 1 or np.isinf(w).sum() > 1:
         raise RotationError(
-            "one infinite weight is taken, in one set of vectors: a second pair cannot be exact as well"
+            "only one infinite weight is allowed: a second pair cannot be exact as well"
         )
     if np.isnan(w).any() or not (np.isfinite(a).all() and np.isfinite(b).all()):
         return np.full(4, np.nan), np.float64(np.nan)
@@ -108,7 +108,7 @@ def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
     xp = namespace(a)
     if a.shape[-2] < 2 or bool(xp.any(xp.isinf(w))):
         raise RotationError(
-            "sensitivity is that of a fit of several vectors with finite weights; this is none"
+            "sensitivity is defined for a fit of several vectors with finite weights, and this fit is not one"
         )
     w = w[..., None]
     sizes = [largest(xp, x) for x in (a, b, w)]

@@ -116,7 +116,7 @@ def number_of_fixed_points(D: int, N: int, m: int) -> int:
 
 
 def genus_by_fixed_points(D: int, N: int, group: tuple[int, ...]) -> int | None:
-    """Return g' from 2g − 2 = |W|·(2g' − 2) + Σ fixed points, for D > 1; None where it is no integer."""
+    """Return g' from 2g − 2 = |W|·(2g' − 2) + Σ fixed points, for D > 1; None where it is not an integer."""
     g = order(D, N).norm_one_group().signature.genus
     fixed = sum(number_of_fixed_points(D, N, m) for m in group if m > 1)
     genus, rest = divmod(2 * g - 2 - fixed + 2 * len(group), 2 * len(group))
@@ -147,7 +147,7 @@ def table(names: Path) -> int:
 def random_orders(count: int, seconds: float) -> int:
     """Look for embeddings in random orders: elements are optimal, and none agrees with local conditions.
 
-    In orders that are no Eichler orders the local conditions are tried modulo small powers of primes: where
+    In orders that are not Eichler orders the local conditions are tried modulo small powers of primes: where
     these find none, "none" is counted as coarse for discriminants with high powers, and else as wrong.
     """
     rng, end, wrong = Random(1), time.monotonic() + seconds, 0

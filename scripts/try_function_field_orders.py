@@ -120,7 +120,7 @@ def main() -> int:
                 continue
             for v in islice(primes(ring(f"GF({q})(t)"), d), 3 if q**d < 100 else 1):
                 if time.monotonic() > end:
-                    print("stopped: the time is over")
+                    print("stopped: the time limit was reached")
                     return bool(wrong)
                 wrong += filter(None, [check_prime(q, d, v)])
     for q in FIELDS:

@@ -5,7 +5,7 @@
 Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
 The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If it
 has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
-polynomials of these four eigenvalues. Ends when all levels are compared or the time is over. Exit status 1 if
+polynomials of these four eigenvalues. Ends when all levels are compared or time is over. Exit status 1 if
 a polynomial differs.
 """
 

@@ -163,7 +163,7 @@ def test_slots_where_signs_leave_few_elements_of_the_first(monkeypatch, one, oth
 
 def test_a_bounded_search_for_slots_says_so(monkeypatch):
     monkeypatch.setattr(brauer, "MAX_CANDIDATES", 0)
-    with pytest.raises(UndecidedError, match="a bounded search met none"):
+    with pytest.raises(UndecidedError, match="a bounded search found none"):
         over((2, 3)).tensor(over((2, 5))).common_slot  # noqa: B018
 
 

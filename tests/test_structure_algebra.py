@@ -214,7 +214,7 @@ def test_elements() -> None:
         ([["1"]], "a", NotationError, "a number has to stand before a basis vector"),
         ([["b"]], "a", NotationError, "'b' means nothing"),
         ([[[1, 2]]], "a", CoercionError, "an element has 1 coordinates, not 2"),
-        ([["a"]], "and", NotationError, "no name of a basis vector"),
+        ([["a"]], "and", NotationError, "not a name of a basis vector"),
         ([], "", NotationError, "0 basis vectors"),
     ],
 )

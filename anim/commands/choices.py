@@ -53,7 +53,7 @@ def refuse_ignored(args: Namespace, kind: Kind) -> None:
     for name in _given(args):
         flag = f"--{name.replace('_', '-')}"
         if alone and name not in (*ALWAYS, alone):
-            raise UsageError(f"--{alone} makes always the same; leave out {flag}")
+            raise UsageError(f"--{alone} always makes the same output; leave out {flag}")
         if not alone and kind is Kind.PAGE and name in (*DRAWN_ONLY, "jobs"):
             raise UsageError(f"{flag} belongs to films and pictures; a page has no such option")
         if not alone and kind is Kind.PICTURE and name == "jobs":

@@ -50,7 +50,7 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Draw, write, and tell what was made."""
     if args.output in ("", "-"):
-        raise UsageError("pictures need a file of their own: expected a name such as -o top.mp4")
+        raise UsageError("a picture needs an output file: expected a name such as -o top.mp4")
     from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of, refuse_ignored
     from anim.output.writing import Kind, kind_of
 

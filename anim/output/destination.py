@@ -29,7 +29,9 @@ def refuse_early(path: Path, force: bool) -> None:
             _refuse_folder(target, force)
         elif target.exists():
             if not target.is_file():
-                raise AnimationError(f"{shorten(path)!r} is no ordinary file; choose another name")
+                raise AnimationError(
+                    f"{shorten(path)!r} is not an ordinary file; choose another name"
+                )
             if not force:
                 raise AnimationError(f"{shorten(path)!r} exists; --force replaces it")
 
@@ -38,8 +40,8 @@ def _refuse_folder(folder: Path, force: bool) -> None:
     strange = next((p.name for p in folder.iterdir() if not _is_frame(p)), None)
     if strange is not None:
         raise AnimationError(
-            f"the folder {shorten(folder)!r} holds {shorten(strange)!r}, which is no frame; "
-            "choose a new folder"
+            f"the folder {shorten(folder)!r} holds {shorten(strange)!r}, which is not a frame; choose a new "
+            "folder"
         )
     if any(folder.iterdir()) and not force:
         raise AnimationError(f"the folder {shorten(folder)!r} has frames; --force replaces them")

@@ -123,8 +123,8 @@ def _feed(
     arrived = sent if not counts_frames else int(counts[-1]) if counts else 0
     if arrived != sent or sent != film.frames:
         raise AnimationError(
-            f"the encoder took {arrived} of {film.frames} frames ({sent} were drawn): "
-            "the film is not whole, and was thrown away"
+            f"the encoder took {arrived} of {film.frames} frames ({sent} were drawn): the film is "
+            "incomplete, and was deleted"
         )
 
 

@@ -41,7 +41,7 @@ def kind_of(path: Path) -> Kind:
         return kind
     if path.suffix and not os.path.isdir(path):
         raise AnimationError(
-            f"{shorten(path.name)!r}: nothing can be written as {path.suffix.lower()!r}; expected "
+            f"{shorten(path.name)!r}: the format {path.suffix.lower()!r} is unknown; expected "
             f"{', '.join(suffixes())}, or a name without suffix for a folder of pictures"
         )
     return Kind.FOLDER
@@ -59,7 +59,7 @@ def check(path: Path, film: Film | None, force: bool = False) -> None:
         if kind in (Kind.PAGE, Kind.PICTURE):
             hint = "; --frame N makes a .png of one frame, --sheet of ten"
             raise AnimationError(
-                f"{shorten(path.name)!r} is the name of a {kind.value}: no film can be written as "
+                f"{shorten(path.name)!r} is the name of a {kind.value}: a film cannot be written as "
                 f"{suffix!r}{hint if kind is Kind.PICTURE else ''}"
             )
         if kind is Kind.FILM:

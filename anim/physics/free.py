@@ -135,7 +135,7 @@ class FreeTop(Stepped):
             return self.launch.spin
         threshold = self.sleeping_spin
         if threshold == inf:
-            raise AnimationError("no spin lets this top sleep; expected a spin of your own")
+            raise AnimationError("no spin makes this top sleep; give a spin")
         return 1.1 * threshold
 
     @property

@@ -111,7 +111,7 @@ def _moments(profile: Profile) -> tuple[float, float, float, float]:
         axial += rise * fourths / 2
         equatorial += rise * (fourths / 4 + _integral(z**2 * r**2))
     if not volume > 0:
-        raise AnimationError("the outline holds no volume")
+        raise AnimationError("the outline encloses no volume")
     return volume, moment, axial, equatorial
 
 

@@ -42,12 +42,13 @@ class TensorProduct:
     def __init__(self, first: Parent, second: Parent) -> None:
         if first.ring != second.ring:
             raise MixedParentsError(
-                f"{first} is over {first.ring}, {second} over {second.ring}: change the ring of one first"
+                f"{first} is over {first.ring}, {second} over {second.ring}: change the ring of one of them "
+                "with change_ring() first"
             )
         for A in (first, second):
             if not is_central_simple(A.ring, A.constants):
                 raise CoercionError(
-                    f"{A} is not central simple, so that it has no class in the Brauer group"
+                    f"{A} is not central simple, so it has no class in the Brauer group"
                 )
         self.first, self.second = first, second
 
@@ -158,7 +159,7 @@ class TensorProduct:
         if self.index == 4:
             return None
         if self._slot is None:
-            raise UndecidedError(f"{self} has a common slot, but a bounded search met none")
+            raise UndecidedError(f"{self} has a common slot, but a bounded search found none")
         return self._slot
 
 
@@ -223,7 +224,7 @@ def _splits(A: Parent) -> bool:
 
 
 def _square_root(A: Parent, d: Any) -> Quaternion | None:
-    """Return an element of trace 0 that is no scalar and has the square d; None where none is found."""
+    """Return an element of trace 0 that is not a scalar and has the square d; None where none is found."""
     try:
         q = element_of(A.ring, A.constants, A.ring.zero, -d)
     except UndecidedError:

@@ -98,10 +98,10 @@ class Isomorphism(LinearMap):
                 rest = (self(p * q) - product).coordinates
                 if not all(self.target.ring.vanishes(x) for x in rest):
                     raise CoercionError(
-                        f"{self} is no homomorphism: see the product of {p} and {q}"
+                        f"{self} is not a homomorphism: see the product of {p} and {q}"
                     )
         if not self.target.ring.is_unit(self.determinant):
-            raise NotInvertibleError(f"{self} is not bijective: its determinant is no unit")
+            raise NotInvertibleError(f"{self} is not bijective: its determinant is not a unit")
 
     def inverse(self) -> Isomorphism:
         """Return the inverse isomorphism, checked in its turn."""

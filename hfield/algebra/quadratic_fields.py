@@ -46,7 +46,7 @@ def embed(A: Parent, extension: object) -> Embedding:
     if not is_central_simple(F, A.constants):
         raise CoercionError(f"{A} is not central simple")
     if not F.is_exact:
-        raise UndecidedError(f"{F.name} is inexact: ask over an exact field what embeds")
+        raise UndecidedError(f"{F.name} is inexact: use an exact field")
     t, n = _trace_and_norm(A, extension)
     place = None if F.order is not None else obstruction(F, A.constants, t, n)
     if place is not None:
@@ -99,7 +99,7 @@ def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:
         c = [-F(given), F.zero, F.one]
     if len(c) != 3 or F.is_zero(c[2]):
         raise RingError(
-            f"{shorten(given)} is no polynomial of degree 2; expected {EXPECTED.format(F.name)}"
+            f"{shorten(given)} is not a polynomial of degree 2; expected {EXPECTED.format(F.name)}"
         )
     t, n = -F.divide(c[1], c[2]), F.divide(c[0], c[2])
     if _has_root(F, t, n):
@@ -121,7 +121,7 @@ def _read(A: Any, text: str) -> object:
     except HFieldError as error:
         if len(words) != 1:
             raise RingError(
-                f"{shorten(text)!r} is no quadratic extension: expected {EXPECTED.format(F.name)}"
+                f"{shorten(text)!r} is not a quadratic extension: expected {EXPECTED.format(F.name)}"
             ) from error
     (x,) = words
     return A.polynomials(x).parse(text)
@@ -155,7 +155,7 @@ def _has_root(F: Any, t: Any, n: Any) -> bool:
 
 def _relative(F: Any, L: Any) -> list[Any]:
     """Return the polynomial over F of the generator of a field L above it: of degree 2."""
-    refusal = RingError(f"{shorten(L.name)} is no quadratic extension of {F.name}")
+    refusal = RingError(f"{shorten(L.name)} is not a quadratic extension of {F.name}")
     if F.characteristic != L.characteristic:
         raise refusal
     if F.closure == "real closed" and L.closure == "algebraically closed":

@@ -305,7 +305,7 @@ class Quaternion(Hinted, PrintedBySympy):
         twice = 2 * Fraction(n)
         if twice.denominator != 1:
             raise CoercionError(
-                f"the exponent {n!r} is no multiple of 1/2: over {self.ring} all n-th roots are q.roots(n)"
+                f"the exponent {n!r} is not a multiple of 1/2: over {self.ring} all n-th roots are q.roots(n)"
             )
         base = self if twice.numerator % 2 == 0 else self.sqrt()
         return base ** (twice.numerator // (1 if base is not self else 2))
@@ -400,7 +400,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return the arguments that functions of ``structure`` take."""
         if self.is_batch:
             raise CoercionError(
-                "this is asked of a single quaternion, not of an array: take one, q[n], or loop"
+                "expected a single quaternion, found an array: take one, q[n], or loop"
             )
         return self.ring, self.algebra.constants, self.coordinates
 
@@ -513,7 +513,7 @@ class Quaternion(Hinted, PrintedBySympy):
         if any(not ring.is_zero(ring.derivative(c, name)) for c in self.algebra.constants):
             raise CoercionError(
                 f"the structure constants of {self.algebra} depend on {name}, so the derivatives of "
-                "coordinates are no derivation"
+                "coordinates are not a derivation"
             )
         return self._mapped(self.algebra, lambda x: ring.derivative(x, name))
 
@@ -610,7 +610,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
         Over functions of angles, of a q of modulus 1, it is the product n·θ of axis and angle of
-        :meth:`polar`, which has ``exp()`` and multiples, and is no element of the algebra. Raises
+        :meth:`polar`, which has ``exp()`` and multiples, and is not an element of the algebra. Raises
         :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
 
         >>> from hfield import H
@@ -1008,8 +1008,7 @@ class SquareRoots:
         n = self.element.algebra.count(square=self.element.scalar_part)
         if n > sys.maxsize:
             raise TooManyError(
-                f"{shorten(self.element)} has {n} square roots, more than len can tell: ask "
-                "A.count(square=…)"
+                f"{shorten(self.element)} has {n} square roots, too many for len(): use A.count(square=…)"
             )
         return n
 

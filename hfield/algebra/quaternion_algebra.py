@@ -215,9 +215,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         shape = getattr(x, "shape", None)
         what = f"a list of {len(x)}" if shape is None else f"an array of shape {tuple(shape)}"
         raise CoercionError(
-            f"{what} is no element of {self}: an element is a list of four scalars; arrays of quaternions "
-            "are A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array "
-            "for each coordinate; an array of scalars is A.scalar(x)"
+            f"{what} is not an element of {self}: an element is a list of four scalars; arrays of "
+            "quaternions are A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) "
+            "with an array for each coordinate; an array of scalars is A.scalar(x)"
         )
 
     def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion:
@@ -612,7 +612,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         The quotient is a :class:`StructureAlgebra` whose basis are the images of some of e, i, j, k, the
         first that are independent. ``projection(q)`` is the image of q, ``projection.lift(x)`` an element
-        with the image x. Raises :class:`RingError` over a ring that is no field, :class:`CoercionError`
+        with the image x. Raises :class:`RingError` over a ring that is not a field, :class:`CoercionError`
         where the quotient is 0.
 
         >>> A = QuaternionAlgebra("GF(3)", -1, 0)
@@ -691,7 +691,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         if not self.ring.is_exact:
             raise UndecidedError(
-                f"{self.ring} is inexact, so splitting is not decided there: ask over {self.ring.exact_ring}"
+                f"{self.ring} is inexact, so splitting is not decided: use {self.ring.exact_ring}"
             )
         answer = quadratic_forms.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
@@ -1030,7 +1030,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return structure.is_semisimple(*self._here())
 
     def is_local(self) -> bool:
-        """Tell whether the elements that are no units are an ideal. Raises :class:`UndecidedError`.
+        """Tell whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
 
         >>> H("QQ").is_local(), H("GF(3)").is_local(), H("GF(2)").is_local(), H("ZZ/8").is_local()
         (True, False, True, True)
@@ -1105,7 +1105,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         d stands for F(√d), and ``.element`` is a root of x² − d; else a field or a polynomial is given, as in
         ``"x^2+x+3"``, which has the root. In characteristic 2 x² − d is inseparable.
-        Raises :class:`RingError` for what is no quadratic extension, and :class:`UndecidedError`.
+        Raises :class:`RingError` for what is not a quadratic extension, and :class:`UndecidedError`.
 
         >>> A = QuaternionAlgebra(-1, -3)
         >>> A.embed(-7).element ** 2, A.embed(7).place, A.embed("QQ(zeta3)").element

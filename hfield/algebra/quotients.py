@@ -68,7 +68,7 @@ class Projection:
 def quotient(algebra: Parent, elements: Iterable[object]) -> AlgebraQuotient:
     """Return the quotient by the two-sided ideal that elements generate, over a field.
 
-    Raises :class:`RingError` over a ring that is no field, :class:`CoercionError` where the quotient is 0.
+    Raises :class:`RingError` over a ring that is not a field, :class:`CoercionError` where the quotient is 0.
     """
     ring = algebra.ring
     if not ring.is_field:

@@ -117,7 +117,7 @@ class StructureAlgebra:
             )
         for name in found:
             if not re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII) or name in KEYWORDS:
-                raise NotationError(f"{name!r} is no name of a basis vector: letters and digits")
+                raise NotationError(f"{name!r} is not a name of a basis vector: letters and digits")
             if name in self.ring.names():
                 raise NotationError(
                     f"{name!r} is an element of {self.ring.name}: give the basis vector another name"
@@ -129,7 +129,7 @@ class StructureAlgebra:
             term = self._read(entry, products=False)
             if not self.ring.is_zero(term.number):
                 raise NotationError(
-                    f"{entry!r} is no combination of {', '.join(self.names)}: a number has to stand "
+                    f"{entry!r} is not a combination of {', '.join(self.names)}: a number has to stand "
                     f"before a basis vector, as in {entry}*{self.names[0]}"
                 )
             return term.vector
@@ -208,7 +208,7 @@ class StructureAlgebra:
             return (self.ring.zero,) * self.dimension
         if self.one is None:
             raise CoercionError(
-                f"{self.ring.text(x)} is no element: the algebra has no unit; write coordinates"
+                f"{self.ring.text(x)} is not an element: the algebra has no unit; write coordinates"
             )
         return tuple(x * c for c in self.one.coordinates)
 
@@ -315,7 +315,7 @@ class StructureAlgebra:
             scale = ring.inverse(ring(total))
             return tuple(scale * x for x in sums[:-1])
         if len(vectors) == 1:
-            return None  # all solutions are multiples of one whose last entry is no unit
+            return None  # all solutions are multiples of one whose last entry is not a unit
         raise UndecidedError(f"whether there is a unit over {shorten(ring.name)} is not decided")
 
     def center(self) -> tuple[AlgebraElement, ...]:
@@ -379,7 +379,7 @@ class StructureAlgebra:
         head, colon, body = m[1].partition(":") if m else ("", "", "")
         if m is None or not colon:
             raise NotationError(
-                f"{shorten(text)!r} is no table: expected one such as 'table(a, b: a, b; b, -a|QQ)'"
+                f"{shorten(text)!r} is not a table: expected one such as 'table(a, b: a, b; b, -a|QQ)'"
             )
         names, _, unit = head.partition(";")
         rows = [[x.strip() for x in split(row, ",")] for row in split(body, ";")]
@@ -536,7 +536,7 @@ class _Term:
     def scalar(self) -> Scalar:
         """Return the term where it is a scalar. Raises :class:`NotationError`."""
         if not all(map(self.algebra.ring.is_zero, self.vector)):
-            raise NotationError("only a scalar stands in a function or divides here")
+            raise NotationError("functions and denominators take scalars only")
         return self.number
 
     def __add__(self, other: _Term) -> _Term:

@@ -37,7 +37,7 @@ def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[
         reject(f"the reason for the norm form of {algebra} is of no known kind")
     data = an_object(data, KEYS[by], "a fact about a norm")
     if not field.is_field:
-        reject(f"{field.name} is no exact field")
+        reject(f"{field.name} is not an exact field")
     if by == "ordering":
         _by_ordering(field, c)
     elif by == "level":

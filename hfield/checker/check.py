@@ -58,7 +58,7 @@ class Established:
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """What is cited and is no theorem that is listed."""
+        """What is cited and is not a theorem that is listed."""
         return tuple(text for text in self.assumes if text not in THEOREMS)
 
     @property

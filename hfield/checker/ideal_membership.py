@@ -46,7 +46,7 @@ class VerifiedItem:
         item = an_object(data, f"characteristic zero relations {own}", "an item")
         self.p = an_integer(item["characteristic"], "a characteristic", 0)
         if self.p and not is_prime(self.p):
-            reject(f"the characteristic {self.p} is no prime")
+            reject(f"the characteristic {self.p} is not a prime")
         if context.ring is not None and self.p not in (0, context.p):
             reject("an item is about another characteristic than the field has")
         self.modulus = self.p or context.p  # in which characteristic its equations are

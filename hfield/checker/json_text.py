@@ -24,7 +24,7 @@ def read_json(text: str) -> object:
             parse_constant=_no_integer,
         )
     except (ValueError, RecursionError) as error:
-        reject(f"this is no JSON: {shown(str(error))}")
+        reject(f"this is not JSON: {shown(str(error))}")
     level, depth = [data], 0
     while level:
         depth += 1
@@ -48,7 +48,7 @@ def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def _no_integer(text: str) -> NoReturn:
-    reject(f"the number {shown(text)} is no integer")
+    reject(f"the number {shown(text)} is not an integer")
 
 
 def _integer(text: str) -> int:

@@ -214,14 +214,14 @@ class Names:
         while position < len(text) or not position:
             sign = _SIGN.match(text, position)
             if sign is None and position:
-                reject(f"{what} is no polynomial: {shown(text)}")
+                reject(f"{what} is not a polynomial: {shown(text)}")
             position = sign.end() if sign else position
             exponents = dict[int, int]()
             c, more = -1 if sign and sign[1] == "-" else 1, True
             while more:
                 factor = _FACTOR.match(text, position)
                 if factor is None:
-                    reject(f"{what} is no polynomial: {shown(text)}")
+                    reject(f"{what} is not a polynomial: {shown(text)}")
                 position, more = factor.end(), bool(factor[4])
                 if factor[1]:
                     c *= _number(factor[1], MAX_DIGITS, what)

@@ -37,11 +37,13 @@ def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[
         if field.name == REALS.name:
             return setting, scope
         if statement.divides and not field.is_field:
-            reject(f"comparisons of quotients are not shown over {field.name}, which is no field")
+            reject(
+                f"comparisons of quotients are not shown over {field.name}, which is not a field"
+            )
     if kind not in KINDS:
         reject(f"evidence of the kind {kind!r} is not about all real closed fields")
     if any(REALS.constant(tree) is None for tree in statement.constants):
-        reject("a statement with comparisons has a constant that is no sum of square roots")
+        reject("a statement with comparisons has a constant that is not a sum of square roots")
     return replace(setting, field=REALS), scope
 
 
@@ -113,9 +115,9 @@ class _InOrder(Evaluator[Any, bool]):
     def _modulus(self, norm: Any) -> Any:
         """Return the root of a rational number that is not negative."""
         if any(key for key, _ in norm) or REALS.sign(norm) == -1:
-            reject("the modulus of a witness is no square root of a rational number")
+            reject("the modulus of a witness is not a square root of a rational number")
         number = norm[0][1] if norm else 0
         root = REALS.constant(("call", "sqrt", (("num", number),)))
         if root is None:
-            reject("a modulus is no real number")
+            reject("a modulus is not a real number")
         return root

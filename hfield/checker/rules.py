@@ -156,7 +156,7 @@ class Rules:
         """Return the element of the field that a polynomial in its constants is."""
         found = self.context.coefficients(f, False)
         if not set(found) <= {()} or self.setting.field is None:
-            reject("a coefficient is no element of the field")
+            reject("a coefficient is not an element of the field")
         return found.get((), self.setting.field.zero)
 
     def _need_rootless(self, values: list[Hashable]) -> None:

@@ -82,7 +82,7 @@ def _letters(tree: Tree, field: Ring | None) -> list[str]:
                 reject(f"a structure constant may not use {shown(node[1])!r}")
             out.append(node[1])
         elif node[0] not in ("num", "name", "call", "neg", "+", "-", "*", "/", "pow"):
-            reject("a structure constant is no term of the field")
+            reject("a structure constant is not a term of the field")
         elif node[0] == "call" and (field is None or field.constant(node) is None):
             reject(f"a structure constant uses the unknown function {shown(node[1])!r}")
     return out

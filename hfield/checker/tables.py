@@ -211,7 +211,7 @@ class _TableWriter:
         if x == ZERO:
             return [ZERO for _ in self.names]
         if self.table.one is None:
-            reject("a scalar other than 0 is no element of an algebra without unit")
+            reject("a scalar other than 0 is not an element of an algebra without unit")
         return [_times(c, x) for c in self.table.one]
 
     def value(self, tree: Tree) -> Value:

@@ -57,7 +57,7 @@ def answer_all(
             return found.status
         if args.format not in (*LINES, "plain", "unicode", "latex"):
             raise UsageError(
-                f"--format {args.format} shows one answer; of many, write jsonl or csv"
+                f"--format {args.format} shows a single answer; use jsonl or csv for several"
             )
         return _answer_many(out, args, answer, columns, apart)
 

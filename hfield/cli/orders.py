@@ -196,7 +196,7 @@ def unit_groups(C: ClassSet) -> Iterator[str]:
     """Yield the name of the group of units of the left order of each class."""
     known: dict[int, str] = {}
     for ideal, index, kind in zip(C, C.units, C.types, strict=True):
-        # where there are no units but those of the field, groups are alike
+        # where there are not units but those of the field, groups are alike
         key = kind if index > 1 else -1
         if key not in known:
             known[key] = ideal.left_order().unit_group()

@@ -82,7 +82,7 @@ def _own(path: Path) -> bytes:
     with open(path, "rb", opener=_without_waiting) as file:
         found = os.fstat(file.fileno())
         if not stat.S_ISREG(found.st_mode):
-            raise PermissionError(f"{path} is no plain file")
+            raise PermissionError(f"{path} is not a plain file")
         if not _is_own(found):
             raise PermissionError(f"{path} is another user's, or may be written by others")
         return file.read()

@@ -103,7 +103,7 @@ _asked: ContextVar[str] = ContextVar("how to give them", default="")
 def known_primes(factors: Factors | None, argument: str = "factors=") -> "_KnownPrimes":
     """Use these primes wherever something is factored inside the ``with``; an error asks for ``argument``.
 
-    Raises :class:`RingError` for what is no prime.
+    Raises :class:`RingError` for what is not a prime.
     """
     return _KnownPrimes(checked_primes(factors) if factors is not None else _NONE, argument)
 
@@ -136,7 +136,7 @@ def checked_primes(factors: Factors) -> frozenset[int]:
     """Return the numbers, each proved prime. Raises :class:`RingError` for what is none."""
     if isinstance(factors, str) or not isinstance(factors, Iterable):
         raise RingError(
-            f"{shorten(repr(factors))} is no list of prime factors; expected such as [2, 11]"
+            f"{shorten(repr(factors))} is not a list of prime factors; expected a list such as [2, 11]"
         )
     primes = set()
     for given in factors:

@@ -47,7 +47,7 @@ class SparseRows(Sequence[dict[int, int]]):
         if isinstance(n, slice):
             return [self[k] for k in range(*n.indices(len(self)))]
         if not -len(self) <= n < len(self):
-            raise IndexError(f"there are {len(self)} rows, numbered from 0: {n} is none of them")
+            raise IndexError(f"there are {len(self)} rows, numbered from 0: {n} is not one of them")
         n %= len(self)
         part = slice(self._starts[n], self._starts[n + 1])
         return dict(zip(self._columns[part], self._entries[part], strict=True))

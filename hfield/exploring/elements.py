@@ -158,7 +158,8 @@ class Elements:
         ring = self.algebra.ring
         if not ring.is_field and self.property.name in ("units", "zero divisors", "nilpotents"):
             raise UndecidedError(
-                f"{self._title} are not described by a statement: it is one over fields only"
+                f"{self._title} are not described by a statement: statements describe elements over fields "
+                "only"
             )
         value = self.property.value
         return CONDITIONS[self.property.name].format(ring.text(value) if value is not None else "")

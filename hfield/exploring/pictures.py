@@ -63,7 +63,7 @@ def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
             save_figure(drawn, part)
     except (OSError, ValueError) as error:
         raise PictureError(
-            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+            f"cannot draw to {shorten(path)!r}: {error}; try a file name that ends in .svg, .png or .pdf"
         ) from error
 
 

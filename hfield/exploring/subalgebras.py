@@ -96,7 +96,7 @@ def subalgebras(algebra: Parent, dimension: int) -> tuple[Subalgebra, ...]:
     if candidates > MAX_SUBMODULES:
         raise TooLargeError(
             f"the subalgebras of {algebra} are among {candidates} submodules, more than the {MAX_SUBMODULES} "
-            "that are looked at"
+            "that are examined"
         )
     found = {s.key: s for s in _candidates(algebra, dimension) if _is_closed(s)}
     conjugations = [(u, u.inverse()) for u in unit_group(algebra).generators]

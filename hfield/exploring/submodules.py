@@ -157,9 +157,7 @@ def check_listed(algebra: Parent, what: str) -> int:
             "field, such as H(GF(7)), or over ZZ/n"
         )
     if not (ring.is_field or isinstance(ring, Modular)):
-        raise RingError(
-            f"{what} are listed over finite fields and ZZ/n, and {ring} is none of these"
-        )
+        raise RingError(f"{what} are listed over finite fields and ZZ/n, and {ring} is neither")
     return int(ring.order)
 
 

@@ -104,16 +104,18 @@ def lean_file(theorems: Iterable[LeanTheorem]) -> str:
 def lean_theorem(name: str, data: object) -> LeanTheorem:
     """Translate a certificate for all fields that is proved without dividing by anything.
 
-    Raises :class:`NotCoveredError` for any other, and :class:`MismatchError` for what is no certificate.
+    Raises :class:`NotCoveredError` for any other, and :class:`MismatchError` for what is not a certificate.
     """
     data = current(data)
     if not isinstance(data, Mapping) or not isinstance(data.get("statement"), str):
-        raise MismatchError(f"this is no certificate {SCHEMA}")
+        raise MismatchError(f"this is not a certificate {SCHEMA}")
     if data.get("verdict") != "proved" or data.get("field") is not None:
-        raise NotCoveredError("Lean gets what is proved for all fields")
+        raise NotCoveredError("Lean export covers only what is proved for all fields")
     kind = data["evidence"].get("kind") if isinstance(data.get("evidence"), Mapping) else None
     if kind not in (Kind.IDENTITY, Kind.IMPLICATION):
-        raise NotCoveredError(f"Lean gets identities and implications, and this is by {kind!r}")
+        raise NotCoveredError(
+            f"Lean export covers identities and implications, and this proof is of the kind {kind!r}"
+        )
     items = data["evidence"].get("items", [])
     if any("member" not in i or i["denominator"] not in (1, -1) for i in items):
         raise NotCoveredError("the proof needs a field")
@@ -125,11 +127,11 @@ def lean_theorem(name: str, data: object) -> LeanTheorem:
     if statement.ordered is not None:
         raise NotCoveredError("moduli and comparisons over ordered fields")
     if statement.exists or statement.divides or statement.compares_unequal:
-        raise NotCoveredError("Lean gets equations, joined by and, or and =>")
+        raise NotCoveredError("Lean export covers equations joined by and, or and =>")
     size = _size(Sentence(statement, setting, RINGS))
     if size > MAX_SIZE:
         raise TooLargeError(
-            f"a coordinate has {size} leaves, more than the {MAX_SIZE} that Lean gets"
+            f"a coordinate has {size} leaves, more than the {MAX_SIZE} that are exported to Lean"
         )
     comment = f"{data['statement']}, in {data['algebra']}".replace("-/", "- /").replace("/-", "/ -")
     return LeanTheorem(name, comment, _Lean(statement, (a, t, b)).text)
@@ -184,7 +186,7 @@ class _Lean:
             case Logic("and" | "or" | "=>" as op, x, y):
                 sign = {"and": "∧", "or": "∨", "=>": "→"}[op]
                 return f"({self._formula(x)} {sign} {self._formula(y)})"
-        raise NotCoveredError("Lean gets equations, joined by and, or and =>")
+        raise NotCoveredError("Lean export covers equations joined by and, or and =>")
 
     def _is_scalar(self, node: Node) -> bool:
         match node:
@@ -218,7 +220,7 @@ class _Lean:
                 return f"(norm {self.a} {self.t} {self.b} {self._quaternion(x)})"
             case Call("trace", (x,)):
                 return f"(trace {self.t} {self._quaternion(x)})"
-        raise NotCoveredError("Lean gets statements that divide by nothing")
+        raise NotCoveredError("Lean export covers statements without division")
 
     def _quaternion(self, node: Node) -> str:
         if self._is_scalar(node):
@@ -246,4 +248,4 @@ class _Lean:
             case Call("comm", (x, y)):
                 left, right = self._quaternion(x), self._quaternion(y)
                 return f"(qsub (qmul {algebra} {left} {right}) (qmul {algebra} {right} {left}))"
-        raise NotCoveredError("Lean gets statements that divide by nothing")
+        raise NotCoveredError("Lean export covers statements without division")

@@ -44,7 +44,7 @@ def _of_residues(domain: Any) -> str:
     if is_prime(n):
         return f"GF({n})"
     raise RingError(
-        f"sympy.GF({n}) is the ring of integers modulo {n}, which is no field: write 'ZZ/{n}' for it, or "
+        f"sympy.GF({n}) is the ring of integers modulo {n}, which is not a field: write 'ZZ/{n}' for it, or "
         f"'GF({n})' for a field of {n} elements, if there is one"
     )
 

@@ -119,7 +119,7 @@ def build(text: str) -> Ring:
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
     if unknown := next((char for char in s if not (char.isascii() or char == "∞")), None):
-        raise RingError(f"{shorten(s)!r}: {unknown!r} is no sign that names of rings have")
+        raise RingError(f"{shorten(s)!r}: {unknown!r} is not a sign that names of rings have")
     below, place = _completed(s)
     if place:
         base = build(below)
@@ -254,7 +254,7 @@ def _p_adic(groups: Groups) -> Ring:
 
 
 def _residues(text: str) -> Ring | None:
-    """Return ``ZZ/n`` for an n such as ``6`` or ``2^33``; None for a text that is no integer."""
+    """Return ``ZZ/n`` for an n such as ``6`` or ``2^33``; None for a text that is not an integer."""
     from hfield.fields.base.coercion import whole_number
     from hfield.fields.rationals.ring import Zmod
 

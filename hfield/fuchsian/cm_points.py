@@ -231,13 +231,13 @@ def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
 def discriminant(order: SplitOrder, d: object) -> tuple[Any, Any]:
     """Return a discriminant as a number of the field of the base, and t with t² ≡ d modulo 4.
 
-    Raises :class:`LatticeError` for what is no discriminant of a quadratic order, or a square.
+    Raises :class:`LatticeError` for what is not a discriminant of a quadratic order, or a square.
     """
     x = order.scalar(order.algebra.ring(d))
     t = order.base.root_modulo_4(x)
     if t is None or order.algebra.ring.is_square(order.base.outside(x)):
         raise LatticeError(
-            f"{shorten(d)} is no discriminant of a quadratic order over the integers of "
+            f"{shorten(d)} is not a discriminant of a quadratic order over the integers of "
             f"{shorten(order.algebra.ring.name)}: expected an integer that is a square modulo 4 and no square"
         )
     return x, t
@@ -392,7 +392,10 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | N
         if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
             return f"{P} is inert in the quadratic field, and divides the level", P
         if base.is_rational and not is_square_modulo(int(d), P, e + 2 * (P == 2)):
-            return f"{d} is no square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level", P
+            return (
+                f"{d} is not a square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level",
+                P,
+            )
     return None
 
 
@@ -402,7 +405,7 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | N
 def involution(group: NormOneGroup, m: int, point: CMPoint) -> CMPoint:
     """Return the image of a CM point under an Atkin–Lehner involution, among those of :func:`cm_points`.
 
-    Raises :class:`LatticeError` where m is no exact divisor of the discriminant of an Eichler order.
+    Raises :class:`LatticeError` where m is not an exact divisor of the discriminant of an Eichler order.
     """
     polygon, w = group.domain().polygon, _normalising(group, m)
     image = w * point.root * w.inverse()
@@ -410,7 +413,7 @@ def involution(group: NormOneGroup, m: int, point: CMPoint) -> CMPoint:
     for other in cm_points(group, point.discriminant):
         if _on_sheet(polygon, other.root)[1] in images:
             return other
-    raise ArithmeticError("the image of a CM point is none of those that were found")
+    raise ArithmeticError("the image of a CM point is not among the points found")
 
 
 def fixed_points(group: NormOneGroup, m: int) -> tuple[CMPoint, ...]:

@@ -237,9 +237,11 @@ def cycles_of(found: Polygon, partners: list[int]) -> list[VertexCycle]:
         order = rotation_order(found.plane.order, around)
         cusp = found.plane.norm(found.starts[start]) == 0
         if cusp != (order == 0):
-            raise ArithmeticError("what goes around a vertex of the domain does not fix it")
+            raise ArithmeticError(
+                "the product of the side pairings around a vertex of the domain does not fix it"
+            )
         if not cusp and found.turns(path, order) != 1:
-            raise ArithmeticError("the angles around a vertex of the domain are more than a turn")
+            raise ArithmeticError("the angles around a vertex of the domain exceed 2π")
         cycles.append(VertexCycle(start, tuple(path), order))
     return cycles
 
@@ -262,7 +264,7 @@ def rotation_order(order: SplitOrder, g: Quaternion) -> int:
         power, m = power * g, m + 1
         if power == power.conjugate():
             return m
-    raise ArithmeticError("a unit that ought to fix a point is of infinite order")
+    raise ArithmeticError("a unit that must fix a point has infinite order")
 
 
 def area_of(partners: list[int], cycles: list[VertexCycle]) -> Fraction:

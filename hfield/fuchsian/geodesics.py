@@ -176,7 +176,7 @@ def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
     polygon, order = domain.polygon, domain.group.order
     if any(cycle.order == 0 for cycle in domain.cycles):
         raise LatticeError(
-            "closed geodesics are listed for groups without cusps; traces() tells lengths"
+            "closed geodesics are listed for groups without cusps; traces() gives the lengths"
         )
     found: list[Geodesic] = []
     seen: set[Vector] = set()
@@ -211,7 +211,7 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
     if (tiles := reach / float(domain.area)) > TILES:
         raise TooLargeError(
             f"closed geodesics of up to the length {most:g} are among {tiles:.0e} images of the domain, and "
-            f"at most {TILES} are looked through; ask for less"
+            f"at most {TILES} are searched; choose a smaller length"
         )
     klein = 2 * corners / (1 + abs(corners) ** 2)
     bound = 2 * cosh(most / 2) * (1 + MARGIN)

@@ -350,10 +350,12 @@ class NormOneGroup(Certified, Hinted):
         ((5, 10, 11, 13, 16, 17), 3.133598)
         """
         if not (self.order.base.is_rational and is_eichler(self.order.order)):
-            raise LatticeError("traces and the systole are known here for Eichler orders over ZZ")
+            raise LatticeError(
+                "traces and the systole are computed for Eichler orders over ZZ only"
+            )
         if most > MAX_TRACE:
             raise TooLargeError(
-                f"the traces up to {shorten(most)} would be gone through, and at most {MAX_TRACE} are"
+                f"there are too many traces up to {shorten(most)}: expected a bound of at most {MAX_TRACE}"
             )
         value = self.order.order
         return tuple(t for t in range(3, most + 1) if area.is_hyperbolic_trace(value, t))
@@ -505,7 +507,7 @@ class NormOneGroup(Certified, Hinted):
         """Return a unit of the order with a given norm, such as −1; None if none was found.
 
         Units are looked for from many points. Where u is negative at a real place that ramifies there is
-        none; else Eichler orders have one. Raises :class:`LatticeError` where u is no unit.
+        none; else Eichler orders have one. Raises :class:`LatticeError` where u is not a unit.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
@@ -518,7 +520,7 @@ class NormOneGroup(Certified, Hinted):
         x = ring(u)
         q = self.order.algebra(x)
         if ring.is_zero(x) or q not in self.order or 1 / q not in self.order:
-            raise LatticeError(f"{shorten(u)} is no unit of the integers of {ring.name}")
+            raise LatticeError(f"{shorten(u)} is not a unit of the integers of {ring.name}")
         norm = self.order.scalar(x)
         if any(value < 0 for value in self.order.values_at_other_places(norm)):
             return None
@@ -579,7 +581,7 @@ class NormOneGroup(Certified, Hinted):
         q: Any = self.order.algebra(x)
         if q not in self.order or q.norm() != 1:
             raise LatticeError(
-                f"{shorten(q)} is no unit of norm 1 of the order: it has norm {q.norm()}"
+                f"{shorten(q)} is not a unit of norm 1 of the order: it has norm {q.norm()}"
                 + ("" if q in self.order else " and is not in the order")
             )
         polygon, of_sides = self._domain.polygon, self._presentation[2]

@@ -105,7 +105,7 @@ def draw(
                 _save(drawing, part)
     except (OSError, ValueError) as error:
         raise LatticeError(
-            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+            f"cannot draw to {shorten(path)!r}: {error}; try a file name that ends in .svg, .png or .pdf"
         ) from error
 
 

@@ -104,7 +104,7 @@ class Polygon:
                     return int(k)
         finally:
             ctx.prec = before
-        raise UndecidedError("4096 bits do not tell the angle at a vertex of the domain")
+        raise UndecidedError("4096 bits do not determine the angle at a vertex of the domain")
 
     def _angle(self, n: int) -> arb:
         """Return the angle inside the polygon where a side begins."""

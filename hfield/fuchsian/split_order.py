@@ -198,7 +198,8 @@ def _expect_one_split_place(order: LatticeValue) -> None:
     if ambient.definite:
         raise IndefiniteError(
             f"the units of an order in {order.algebra}, which is definite, are finitely many modulo numbers: "
-            "norm_one_group() asks for one that splits at exactly one real place, units() lists these"
+            "norm_one_group() needs an algebra that splits at exactly one real place; units() lists the "
+            "units here"
         )
     if not ambient.is_fuchsian:
         real = len(base.real_places)
@@ -206,7 +207,7 @@ def _expect_one_split_place(order: LatticeValue) -> None:
         raise IndefiniteError(
             f"{shorten(order.algebra)} splits at {len(ambient.split_places)} of the {real} real places"
             + (f" and the field has {complex_ones} complex ones" if complex_ones else "")
-            + "; norm_one_group() asks for a totally real field and exactly one real place that splits"
+            + "; norm_one_group() needs a totally real field and exactly one split real place"
         )
 
 
@@ -220,7 +221,9 @@ class TwoSidedIdeals:
 
     def __init__(self, order: LatticeValue) -> None:
         if not is_eichler(order):
-            raise LatticeError("the normaliser is known here for Eichler orders, and this is none")
+            raise LatticeError(
+                "the normaliser is computed for Eichler orders only, and this order is not one"
+            )
         self.order, self.base, self._whole = order, order.ambient.base, discriminant(order)
         factors = self.base.factorisation(self._whole)
         self.primes = [P for P, _ in factors]
@@ -229,7 +232,7 @@ class TwoSidedIdeals:
         if len(self.classes) << len(self.primes) > MAX_IDEALS:
             raise TooLargeError(
                 f"the field has {len(self.classes)} classes of ideals and the discriminant "
-                f"{len(self.primes)} prime ideals: products up to {MAX_IDEALS} are looked at"
+                f"{len(self.primes)} prime ideals: at most {MAX_IDEALS} products are examined"
             )
 
     def norm(self, chosen: int) -> Any:
@@ -243,8 +246,8 @@ class TwoSidedIdeals:
         chosen = sum(1 << k for k, P in enumerate(self.primes) if self.base.valuation(ideal, P) > 0)
         if self.norm(chosen) != ideal:
             raise LatticeError(
-                f"{ideal} is no exact divisor of {self._whole}, the discriminant of the order: "
-                "an involution belongs to a divisor that is coprime to its cofactor"
+                f"{ideal} is not an exact divisor of {self._whole}, the discriminant of the order: an "
+                "involution belongs to a divisor that is coprime to its cofactor"
             )
         return chosen
 

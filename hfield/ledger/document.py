@@ -66,7 +66,7 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
     try:
         text = content.decode("utf-8-sig")  # editors may put a mark in front
     except UnicodeDecodeError as error:
-        raise LedgerError(f"{path} is not text in UTF-8 (byte {error.start + 1})") from None
+        raise LedgerError(f"{path} is not UTF-8 text (byte {error.start + 1})") from None
     return _Document(text, str(path), ("", str(path))).claims({}, verify=True)
 
 
@@ -107,7 +107,7 @@ class _Document:
         try:
             data = tomllib.loads(text)
         except (tomllib.TOMLDecodeError, RecursionError) as error:
-            raise LedgerError(f"{name} is no TOML: {error}") from None
+            raise LedgerError(f"{name} is not TOML: {error}") from None
         for key in data:
             if key not in ("schema", "title", "claims"):
                 self.fail(None, key, "there is no such key; a ledger has [[claims]] tables")
@@ -127,7 +127,7 @@ class _Document:
         found: dict[str, Claim] = {}
         for number, table in enumerate(self.tables, 1):
             if not isinstance(table, dict):
-                self.fail(None, "claims", f"entry {number} is no table: write [[claims]]")
+                self.fail(None, "claims", f"entry {number} is not a table: write [[claims]]")
             data = self._table(table, number)
             claim = self._claim(data, computed.get(data["id"], Propositions()))
             if claim.id in found:

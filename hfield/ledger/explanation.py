@@ -83,7 +83,7 @@ def explain(claim: str, field: RingName | None = None) -> Explanation:
     column = split_columns("QQ" if field is None else field)
     if len(column) > 1:
         raise SelectionError(
-            f"one decision is explained at a time; {len(column)} fields were given"
+            f"only one decision is explained at a time; {len(column)} fields were given"
         )
     pieces = rows_to_decide(find_all(claim), column, strict=True)
     return Explanation(tuple(decide_row(found, name) for found, name in pieces))

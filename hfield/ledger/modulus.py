@@ -49,7 +49,7 @@ class ModulusDefined:
     statement = "modulus-exists"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Look for a small q whose norm is no square; else say why every norm is one."""
+        """Look for a small q whose norm is not a square; else say why every norm is one."""
         if field is None:
             return search_panel(self)
         for q in chain(small_elements(field), self._norm_without_root(field)):
@@ -78,7 +78,7 @@ class ModulusDefined:
         return Decision(UNDECIDED, SEARCH, tried=("norms of small elements",))
 
     def _norm_without_root(self, F: Ring) -> Iterator[Coordinates]:
-        """Yield w + x·i whose norm is no square, over a finite field of odd order."""
+        """Yield w + x·i whose norm is not a square, over a finite field of odd order."""
         if F.order is None or F.characteristic == 2:
             return
         target = next(n for n in F.elements() if F.sqrt(n) is None)

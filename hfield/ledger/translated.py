@@ -183,7 +183,7 @@ def _check(document: Mapping[str, Any], name: str) -> None:
     for key, value in document.items():
         if not isinstance(value, kinds.get(key, ())):
             raise LedgerError(
-                f"{name}: {key!r} is no table of claims or phrases, nor a list of names"
+                f"{name}: {key!r} is not a table of claims or phrases, nor a list of names"
             )
     for key, texts in document.get("claims", {}).items():
         keys = set(texts) if isinstance(texts, dict) else {"?"}

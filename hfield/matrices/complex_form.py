@@ -108,14 +108,14 @@ def _units(algebra: Parent) -> tuple[float, float, float]:
     """Return t/2, and the sizes of i − t/2 and j, whose multiples I and J have square −1."""
     if algebra.ring != RDF:
         raise CoercionError(
-            f"eigenvalues and singular values are of matrices over H('RDF'), not over {algebra}"
+            f"eigenvalues and singular values are computed for matrices over H('RDF'), not over {algebra}"
         )
     a, t, b = map(float, algebra.constants)
     square = a + t * t / 4
     if square >= 0 or b >= 0:
         raise CoercionError(
-            f"{algebra} has zero divisors: eigenvalues and singular values are of matrices over Hamilton's "
-            "algebra, such as H('RDF')"
+            f"{algebra} has zero divisors: eigenvalues and singular values are computed for matrices over "
+            "Hamilton's algebra, such as H('RDF')"
         )
     return t / 2, (-square) ** 0.5, (-b) ** 0.5
 

@@ -87,7 +87,7 @@ def _exactly(M: Matrix) -> tuple[Any, ...]:
     whole = [CC(c) for c in M.reduced_characteristic_polynomial()]
     if not is_division(F, M.algebra.constants):
         raise CoercionError(
-            f"right eigenvalues are of matrices over Hamilton's algebra, not {M.algebra}"
+            f"right eigenvalues are computed for matrices over Hamilton's algebra, not {M.algebra}"
         )
     found = []
     for g in CC.irreducible_factors(whole):
@@ -136,8 +136,8 @@ def polar(M: Matrix) -> PolarDecomposition:
     m, n = M.shape
     if m < n:
         raise CoercionError(
-            f"a polar form is of matrices with no more columns than rows, not of shape {M.shape}; "
-            "take that of the adjoint"
+            f"a polar form needs at least as many rows as columns, found shape {M.shape}; take that of the "
+            "adjoint"
         )
     left, values, right = _singular(_pair(M))
     scaled = right.scaled(values[..., None, :])
@@ -173,10 +173,10 @@ def _pair(M: Matrix, square: bool = False) -> Pair:
     F = M.algebra.ring
     if F.is_exact:
         raise UndecidedError(
-            f'this is computed in floating point, not over {F.name}; M.change_ring("RDF") goes there'
+            f'this is computed in floating point, not over {F.name}; use M.change_ring("RDF")'
         )
     if square and M.shape[0] != M.shape[1]:
-        raise CoercionError(f"expected a square matrix; this has the shape {M.shape}")
+        raise CoercionError(f"expected a square matrix, found the shape {M.shape}")
     return pair_of(M.algebra, M.rows)
 
 
@@ -189,7 +189,7 @@ def _lapack(function: Any, matrices: np.ndarray) -> Any:
     try:
         return function(matrices / _scale(matrices)[..., None, None])
     except np.linalg.LinAlgError as error:
-        raise UndecidedError(f"LAPACK found no answer: {error}") from error
+        raise UndecidedError(f"LAPACK found no solution: {error}") from error
 
 
 def _scale(matrices: np.ndarray) -> np.ndarray:
@@ -209,4 +209,4 @@ def _check_product(given: Pair, product: Pair) -> None:
 def _check(residual: np.ndarray, size: np.ndarray, what: str) -> None:
     """Raise :class:`UndecidedError` where a residual is more than rounding."""
     if not (residual <= ROUNDING * size + np.finfo(float).tiny).all():
-        raise UndecidedError(f"{what} is off by more than rounding: {np.max(residual):.1e}")
+        raise UndecidedError(f"{what} has an error beyond rounding: {np.max(residual):.1e}")

@@ -61,7 +61,7 @@ class Cleared:
     def __init__(self, A: Parent, rows: Rows, width: int, leftmost: bool = False) -> None:
         if any(q.shape for row in rows for q in row):
             raise CoercionError(
-                "rows are cleared where entries are single quaternions, and here some are arrays"
+                "elimination needs single quaternions as entries, and some entries are arrays"
             )
         self.algebra, self.width = A, width
         self.done, self.pivots = list[list[Quaternion]](), list[int]()

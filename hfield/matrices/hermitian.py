@@ -39,7 +39,7 @@ def diagonal_form(M: Matrix) -> DiagonalForm:
     _expect_hermitian(M)
     if not A.ring.is_field:
         raise RingError(
-            f"{A.ring.no_field}: a diagonal form is of matrices over an algebra over a field"
+            f"{A.ring.no_field}: a diagonal form is defined for matrices over an algebra over a field"
         )
     rows, basis = [list(row) for row in M.rows], [list(row) for row in (M**0).rows]
 

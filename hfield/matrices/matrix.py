@@ -115,7 +115,8 @@ class Matrix(PrintedBySympy):
             return self.rows[place[0]][place[1]]
         except IndexError:
             raise IndexError(
-                f"M[{place[0]}, {place[1]}] is no entry of a matrix of shape {self.shape}, numbered from 0"
+                f"M[{place[0]}, {place[1]}] is not an entry of a matrix of shape {self.shape}, numbered from "
+                "0"
             ) from None
 
     @property
@@ -189,7 +190,9 @@ class Matrix(PrintedBySympy):
         if not isinstance(other, Matrix):
             return None
         if other.algebra != self.algebra:
-            raise MixedParentsError(f"a matrix over {self.algebra} meets one over {other.algebra}")
+            raise MixedParentsError(
+                f"a matrix over {self.algebra} cannot be combined with one over {other.algebra}"
+            )
         if shape is not None and other.shape != shape:
             raise CoercionError(
                 f"shapes {self.shape} and {other.shape} do not fit; expected {shape}"
@@ -265,7 +268,9 @@ class Matrix(PrintedBySympy):
 
     def _expect_square(self, what: str) -> None:
         if self.shape[0] != self.shape[1]:
-            raise CoercionError(f"{what} is of square matrices; this has the shape {self.shape}")
+            raise CoercionError(
+                f"{what} is defined for square matrices; this one has the shape {self.shape}"
+            )
 
     def reduced_norm(self) -> Any:
         """Return the reduced norm, in the base ring: multiplicative, ``q.norm()`` for one entry.
@@ -324,7 +329,8 @@ class Matrix(PrintedBySympy):
         c = self.reduced_characteristic_polynomial()
         if not F.is_unit(c[0]):
             raise NotInvertibleError(
-                f"this matrix has no inverse: its reduced norm {shorten(F.text(c[0]))} is no unit of {F.name}"
+                f"this matrix has no inverse: its reduced norm {shorten(F.text(c[0]))} is not a unit of "
+                f"{F.name}"
             )
         result = self._identity()  # Cayley and Hamilton: c₀ + M·(c₁ + c₂·M + …) = 0
         for x in reversed(c[1:-1]):
@@ -345,8 +351,8 @@ class Matrix(PrintedBySympy):
         F = self.algebra.ring
         if not F.is_field:
             raise RingError(
-                f"{F.no_field}: {what} is of matrices over an algebra over a field; "
-                "A.change_ring(L) goes to one that contains it"
+                f"{F.no_field}: {what} is of matrices over an algebra over a field; use A.change_ring(L) for "
+                "a field L that contains it"
             )
         return F
 
@@ -370,7 +376,7 @@ class Matrix(PrintedBySympy):
         A, (m, n) = self.algebra, self.shape
         F = self._field("the echelon form")
         if not F.is_exact:
-            raise UndecidedError(f"whether a column is 0 is not decided over {F.name}; svd() tells")
+            raise UndecidedError(f"whether a column is 0 is not decided over {F.name}; use svd()")
         rows = [[*row, *(A.scalar(r == c) for c in range(m))] for r, row in enumerate(self.rows)]
         found = Cleared(A, rows, n, leftmost=True)
         order = sorted(zip(found.pivots, found.done, strict=True), key=lambda pair: pair[0])

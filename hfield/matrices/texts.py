@@ -29,7 +29,7 @@ def read_matrix(algebra: Parent, text: str, vector: str = "") -> Matrix:
         entries = [algebra(x) for x in split(text.strip()[1:-1], ",")]
         return Matrix(algebra, [entries] if vector == "row" else [[x] for x in entries])
     if not has_matrix(text):
-        raise NotationError(f"{shorten(text)} is no matrix; {EXPECTED}")
+        raise NotationError(f"{shorten(text)} is not a matrix; {EXPECTED}")
     F = algebra.ring
     found, functions = vocabulary(algebra, MatrixOperand, MatrixOperand.element)
     before, rest = "", text
@@ -65,7 +65,7 @@ class MatrixOperand:
     def matrix(self) -> Matrix:
         """Return the matrix. Raises :class:`NotationError` for an element."""
         if not isinstance(self.value, Matrix):
-            raise NotationError(f"{shorten(self.value)} is no matrix; {EXPECTED}")
+            raise NotationError(f"{shorten(self.value)} is not a matrix; {EXPECTED}")
         return self.value
 
     def element(self) -> Quaternion:
@@ -160,7 +160,7 @@ def _literal(algebra: Parent, text: str) -> Matrix:
     rows = split(text.strip()[1:-1], ",")
     for row in rows:
         if not _is_bracket(row):
-            raise NotationError(f"{shorten(row.strip())!r} is no row of a matrix; {EXPECTED}")
+            raise NotationError(f"{shorten(row.strip())!r} is not a row of a matrix; {EXPECTED}")
         plain(row)  # refuses a row that is a matrix itself
     return Matrix(algebra, [split(row.strip()[1:-1], ",") for row in rows])
 

@@ -716,7 +716,8 @@ class NumberFieldIntegers:
         with suppress(RingError):
             return self.integers.prime_ideal(place)
         raise LatticeError(
-            f"{shorten(x)} is no prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the field"
+            f"{shorten(x)} is not a prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the "
+            "field"
         )
 
     def coordinate_rows(self, elements: Sequence[FieldElement]) -> fmpq_mat:

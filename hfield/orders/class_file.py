@@ -64,8 +64,8 @@ class ClassFile:
 
     def _unreadable(self) -> LatticeError:
         return LatticeError(
-            f"{shorten(self._journal.path)} is no file of classes that could go on, or is damaged: move it "
-            "away, or name another file"
+            f"{shorten(self._journal.path)} is not a file of classes that can be resumed, or is damaged: "
+            "move it away, or name another file"
         )
 
     def append(

@@ -247,7 +247,7 @@ class Classes:
         if number < len(self):  # it was written twice, about an interrupt
             return
         if number > len(self) or self.store.number(found.keys[0]) is not None:
-            raise ValueError(f"class {number} does not follow")
+            raise ValueError(f"class {number} is out of order")
         if exchanged not in (
             (None,) if self.exchange_prime is None else range(number - 1, number + 2)
         ):
@@ -265,7 +265,9 @@ class Classes:
             raise ValueError("an exchanged class is missing")
         for row in rows[len(found) - first :]:
             if sum(row.values()) != count or max(row) >= len(self):
-                raise ValueError(f"row {len(found)} of the prime {prime} is no row of neighbours")
+                raise ValueError(
+                    f"row {len(found)} of the prime {prime} is not a row of neighbours"
+                )
             found.append(row)
         self._saved[prime] = len(found)
 

@@ -65,7 +65,8 @@ class Module(ABC):
         order = classes.order
         if not is_eichler(order):
             raise LatticeError(
-                "newforms and their dimensions are for maximal and Eichler orders, and this is none"
+                "newforms and their dimensions are computed for maximal and Eichler orders, and this order "
+                "is neither"
             )
         self.base = base = order.ambient.base
         self.level: Level = tuple(base.factorisation(level(order)))
@@ -278,7 +279,7 @@ class Module(ABC):
                 factors = (f if f[f.degree()] > 0 else -f for f, _ in g.factor()[1])
                 return sorted((Newform(self, T, f) for f in factors), key=Traces)
         raise UndecidedError(
-            f"{MAX_PRIMES} Hecke operators do not tell the newforms of this level apart"
+            f"{MAX_PRIMES} Hecke operators do not separate the newforms of this level"
         )
 
     def _combinations(self) -> Iterator[Combination]:
@@ -325,7 +326,7 @@ class Traces:
 def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
     found, rest = divmod(f, g)
     if rest:
-        raise AssertionError("the eigenvalues of lower levels come in this one")
+        raise AssertionError("the eigenvalues of lower levels must occur in this level")
     return found
 
 

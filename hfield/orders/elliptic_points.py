@@ -85,7 +85,7 @@ class _Rotations:
             return 0
         found = 2 * self.q * total * relative_class_number(self.ambient.base.field, self.q, self.d)
         if found.denominator > 1:
-            raise ArithmeticError("the number of elliptic points is no integer")
+            raise ArithmeticError("the number of elliptic points is not an integer")
         return int(found)
 
     def _contains(self, conductor: dict[PrimeIdeal, int]) -> bool:

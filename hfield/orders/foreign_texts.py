@@ -131,7 +131,7 @@ class _Reader:
         try:
             theirs: Any = ring(f"QQ[s]/({polynomial})")
         except HFieldError as error:
-            part.fail(f"{part} is no number field: {error}")
+            part.fail(f"{part} is not a number field: {error}")
         if not self.base_is_extended or theirs.polynomial != self.algebra.ring.polynomial:
             self._foreign(part, f"the field {theirs.name}")
 
@@ -179,7 +179,7 @@ class _Reader:
             try:
                 same = ring(name) == A.ring
             except HFieldError as error:
-                field.fail(f"{field} is no field here: {error}")
+                field.fail(f"{field} is not a field here: {error}")
             if not same:
                 self._foreign(part, f"an algebra over {name}")
         a, b = map(self._scalar, constants)
@@ -445,7 +445,7 @@ class _Reader:
             return q
         defined = self.definitions.get(prefix)
         if defined is None or not defined.text.startswith("QuaternionAlgebra") or number > 3:
-            part.fail(f"{prefix}.{number} is no generator that the text defines")
+            part.fail(f"{prefix}.{number} is not a generator that the text defines")
         return self.algebra.basis[number]  # type: ignore[no-any-return]
 
 

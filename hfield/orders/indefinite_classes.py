@@ -40,9 +40,9 @@ class IndefiniteClassSet(Hinted):
         for P, _ in ambient.base.factorisation(discriminant(order.value)):
             if eichler_symbol(order.value, P) == 0:
                 raise IndefiniteError(
-                    "classes are distinguished by narrow classes of norms where all local units are norms; "
-                    f"at {P} the order has the Eichler symbol 0, which asks for a ray class group: none is "
-                    "computed"
+                    "classes are determined by narrow classes of norms only where all local units are norms; "
+                    f"at {P} the order has the Eichler symbol 0, which needs a ray class group, and these "
+                    "are not computed"
                 )
         self.group = ambient.base.classes_modulo_signs(ambient)
 
@@ -74,7 +74,7 @@ class IndefiniteClassSet(Hinted):
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         value, order = ideal.value, self.order.value
         if not is_locally_principal(value, order) or product(value, order) != value:
-            raise LatticeError(f"{shorten(ideal)} is no invertible right ideal of the order")
+            raise LatticeError(f"{shorten(ideal)} is not an invertible right ideal of the order")
         return list(self._ideals).index(self.group.class_of(ideal.norm()))
 
     @property
@@ -85,7 +85,7 @@ class IndefiniteClassSet(Hinted):
         """
         if not self.order.is_eichler():
             raise LatticeError(
-                "types of indefinite orders are counted for Eichler orders, and this is none"
+                "types of indefinite orders are counted for Eichler orders only, and this order is not one"
             )
         even = [k for k, d in enumerate(self.group.invariants) if d % 2 == 0]
         ambient = self.order.value.ambient

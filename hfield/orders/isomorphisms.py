@@ -47,8 +47,8 @@ def _decide(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     one, other = gorenstein_closure(first), gorenstein_closure(second)
     if not (is_eichler(one) and is_eichler(other)):
         raise UndecidedError(
-            "whether two orders of an indefinite algebra are isomorphic is decided where their "
-            "Gorenstein closures are Eichler orders, and one of these is none"
+            "whether two orders of an indefinite algebra are isomorphic is decided where their Gorenstein "
+            "closures are Eichler orders, and one of these is not"
         )
     bridge = connecting(one, other)
     found = element_generating(bridge, bridge.norm, one)

@@ -44,7 +44,7 @@ def label(order: LatticeValue) -> str:
     if ambient.definite:
         return str(reduced_form(order))
     if not is_eichler(order):
-        raise _no_label("of indefinite orders that are no Eichler orders")
+        raise _no_label("of indefinite orders that are not Eichler orders")
     norm = ambient.base.absolute_norm
     return f"{norm(ambient.discriminant)}.{norm(level(order))}"
 
@@ -90,7 +90,7 @@ def _eichler(algebra: Parent, discriminant: int, number: int) -> LatticeValue:
     ambient = basis_of(algebra)
     if ambient.definite:
         raise MixedParentsError(
-            f"{discriminant}.{number} is the label of an indefinite order, and {shorten(algebra)} is "
+            f"{discriminant}.{number} is the label of an indefinite order, but {shorten(algebra)} is "
             "definite: there the label is a ternary form, such as that of eichler_order(N).label()"
         )
     if ambient.discriminant != discriminant:

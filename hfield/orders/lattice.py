@@ -795,7 +795,9 @@ class Order(WithStableClasses, Certified, Lattice):
         if not lattice_values.is_locally_principal(value, self.value) or (
             lattice_values.product(value, self.value) != value
         ):
-            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of the order")
+            raise LatticeError(
+                f"{shorten(repr(ideal))} is not an invertible right ideal of the order"
+            )
         values = ideals_of_norm.subideals(self.value, value, P)
         return [self._ideal(J, "right") for J in values]
 
@@ -893,7 +895,7 @@ class Order(WithStableClasses, Certified, Lattice):
         """Return the optimal embeddings of the quadratic order of a discriminant d.
 
         In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
-        discriminant that is no square; ``representatives`` has one embedding of each orbit under the units of
+        nonsquare discriminant; ``representatives`` has one embedding of each orbit under the units of
         norm 1. Raises :class:`LatticeError` for
         what is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
 
@@ -999,7 +1001,7 @@ class Order(WithStableClasses, Certified, Lattice):
         if not isinstance(ideal, Ideal) or ideal.side == "left":
             raise LatticeError(f"{shorten(repr(ideal))} is not a right ideal of {shorten(self)}")
         if ideal.order != self or not ideal.is_invertible():
-            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
+            raise LatticeError(f"{shorten(repr(ideal))} is not an invertible right ideal of {self}")
 
 
 class Ideal(Certified, Lattice):
@@ -1051,7 +1053,7 @@ class Ideal(Certified, Lattice):
         on_left = side == "right" or product(order.value, value) == value
         on_right = side == "left" or product(value, order.value) == value
         if not (on_left and on_right):
-            raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
+            raise LatticeError(f"{shorten(lattice)} is not a {side} ideal of {shorten(order)}")
         return cls(value, side, order)
 
     def __repr__(self) -> str:
@@ -1154,7 +1156,9 @@ class Ideal(Certified, Lattice):
         inverse = lattice_values.scalars_into(self.value, self.order.value)
         m = base.inverse(inverse)
         if not base.is_integral(m):
-            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
+            raise LatticeError(
+                "only an integral ideal has a primitive part, and this one is not integral"
+            )
         found = Ideal(lattice_values.times_ideal(self.value, inverse), self.side, self._order)
         return found, base.shown_index(m)
 
@@ -1175,7 +1179,7 @@ class Ideal(Certified, Lattice):
         """Return ``I·J + N(J)·O``, for J a left ideal of the right order of I: what I pushes forward to J."""
         if self.side == "right" or other.side == "right" or other.order != self.right_order():
             raise LatticeError(
-                "the pullback along a left ideal I is asked of a left ideal of the right order of I"
+                "the pullback along a left ideal I is defined for left ideals of the right order of I"
             )
         self._coprime(other)
         order = self.order
@@ -1433,7 +1437,7 @@ def _expect_rational(lattice: Lattice, what: str) -> None:
     """Raise :class:`LatticeError` where the base is not ℤ."""
     if not lattice.value.ambient.base.is_rational:
         raise LatticeError(
-            f"{what} is for orders over ZZ and their ideals, and this algebra is over "
+            f"{what} is defined for orders over ZZ and their ideals, and this algebra is over "
             f"{lattice.algebra.ring.name}: there norms are ideals, which need not be principal"
         )
 
@@ -1481,7 +1485,9 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     def _checked(self, n: int) -> int:
         if not -len(self) <= n < len(self):
-            raise IndexError(f"there are {len(self)} classes, numbered from 0: {n} is none of them")
+            raise IndexError(
+                f"there are {len(self)} classes, numbered from 0: {n} is not one of them"
+            )
         return n
 
     def __iter__(self) -> Iterator[Ideal]:
@@ -1600,7 +1606,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         Row i counts the right ideals of relative norm P in I_i by their classes, where there are any. The
         memory is linear in the number of classes: the rows are a sequence with the method ``times(values)``,
         and ``arrays`` for scipy. An executor, such as a ``ProcessPoolExecutor``, computes rows in parallel;
-        they do not depend on it. Raises :class:`LatticeError` for what is no prime, :class:`TooLargeError`
+        they do not depend on it. Raises :class:`LatticeError` for what is not a prime, :class:`TooLargeError`
         where there are too many.
 
         >>> from hfield import QuaternionAlgebra

@@ -107,7 +107,7 @@ class Newform:
         """Return the eigenvalue at a prime, an element of the field.
 
         At P it is −sign·N(P)^(k/2−1) where P divides the level once, and 0 where P² does. Raises
-        :class:`LatticeError` for what is no prime.
+        :class:`LatticeError` for what is not a prime.
         """
         P = self._module.prime(prime)
         known = self._at_level(P)
@@ -256,7 +256,7 @@ class Newform:
                 yield p, found
 
     def _reduction(self, p: int) -> nmod_mat | None:
-        """Return g′(α)·vⱼ modulo p in column j; None where p is not good for it, as where vᵢ is no unit."""
+        """Return g′(α)·vⱼ modulo p in column j; None where p does not fit, as where vᵢ is not a unit."""
         g = nmod_poly(self._polynomial.coeffs(), p)
         vector = self._module.eigenvectors(self._operator, self._polynomial, p)
         if vector is None:

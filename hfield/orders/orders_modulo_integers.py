@@ -170,7 +170,7 @@ class ResidueMatrices:
         n, value = self.modulus, self.order.value
         if getattr(ideal, "side", "right") == "right" or ideal.order != self.order:
             raise LatticeError(
-                f"{shorten(repr(ideal))} is no left ideal of the order of this isomorphism"
+                f"{shorten(repr(ideal))} is not a left ideal of the order of this isomorphism"
             )
         if not ideal.is_integral():
             raise LatticeError("this ideal does not lie in its order: expected an integral ideal")
@@ -184,7 +184,7 @@ class ResidueMatrices:
         if a * d != n or math.gcd(a, b, d) > 1:
             raise LatticeError(
                 f"the ideal and {shorten(n)}·O generate no ideal of norm {shorten(n)} with a cyclic "
-                "quotient: its kernel is no line"
+                "quotient: its kernel is not a line"
             )
         # the rows (a, b), (0, d) kill (d, 0) and (−b, a)
         found = next(((s * d - b) % n, a) for s in count() if math.gcd(s * d - b, a) == 1)

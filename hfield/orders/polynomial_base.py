@@ -202,7 +202,7 @@ class PolynomialBase:
             return prime_ideal(self.integers, x)
         except HFieldError:
             raise LatticeError(
-                f"{shorten(x)} is no prime of {self.symbol}: expected an irreducible polynomial, such as "
+                f"{shorten(x)} is not a prime of {self.symbol}: expected an irreducible polynomial, such as "
                 f"{self.ring.gen_name}"
             ) from None
 

@@ -133,8 +133,7 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
     while left:
         if len(left) == 1:
             raise LatticeError(
-                f"this lattice is no free module over the integers of {ambient.base.ring.name}: it is "
-                "one "
+                f"this lattice is not a free module over the integers of {ambient.base.ring.name}: it is one "
                 f"with a factor {left[0][0]}, which is not principal"
             )
         (I, x), (J, y), *left = left

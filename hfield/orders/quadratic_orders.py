@@ -221,7 +221,7 @@ def embeddings(
     t = base.root_modulo_4(x)
     if t is None or not base.is_totally_positive(-x):
         raise LatticeError(
-            f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
+            f"{shorten(d)} is not a discriminant of a totally imaginary quadratic order over the integers of "
             f"{shorten(base.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
     vectors = list(_of_trace_zero(order, -x))
@@ -325,7 +325,7 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
         if x is not None:
             return x
     raise UndecidedError(
-        f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of "
+        f"whether the norm of an element is {shorten(n)} was not decided: no prime rules it out, and of "
         f"{TRIALS} random ideals of this norm none has such a generator"
     )
 

@@ -157,7 +157,9 @@ def _recognised(form: RationalNewform, found: Sequence[RationalNewform]) -> Rati
         found = [f for f in found if f[P] == form[P]]
         if len(found) == 1:
             return found[0]
-    raise UndecidedError(f"{MAX_SPLITTING_PRIMES} eigenvalues do not tell an oldform from newforms")
+    raise UndecidedError(
+        f"{MAX_SPLITTING_PRIMES} eigenvalues do not separate an oldform from newforms"
+    )
 
 
 class RationalSystems:

@@ -17,7 +17,7 @@ from hfield.orders.validation import listed
 def checked_ring(lattice: LatticeValue) -> LatticeValue:
     """Return a lattice that is a ring with 1. Raises :class:`LatticeError` for another one."""
     if not contains(lattice, 1):
-        raise LatticeError("this lattice is no order: 1 is not in it")
+        raise LatticeError("this lattice is not an order: 1 is not in it")
     for p, row in zip(lattice.basis, lattice.rows.tolist(), strict=True):
         products = lattice.rows * lattice.ambient.times(row, "left") * lattice.inverse_rows
         if products.numer_denom()[1] == 1:
@@ -29,8 +29,8 @@ def checked_ring(lattice: LatticeValue) -> LatticeValue:
             if any(lattice.ambient.domain.denominator(c) != 1 for c in x)
         )
         raise LatticeError(
-            f"this lattice is no order: the product of {shorten(p)} and {shorten(q)} is not in "
-            "it; A.order(elements) returns the ring that they generate"
+            f"this lattice is not an order: the product of {shorten(p)} and {shorten(q)} is not in it; "
+            "A.order(elements) returns the ring that they generate"
         )
     return lattice
 
@@ -82,5 +82,5 @@ def _check_integral(ambient: AlgebraBasis, den: int, rows: fmpz_mat) -> None:
                 p, q = (ambient.element(rows.tolist()[k], den) for k in (m, n))
                 raise LatticeError(
                     f"these elements generate no order: the sum of {shorten(p)} and {shorten(q)} has a norm "
-                    "that is no integer"
+                    "that is not an integer"
                 )

@@ -71,7 +71,9 @@ def read_level(base: Base, level: object) -> BaseIdeal:
     found: BaseIdeal = base.one
     for pair in level:
         if len(pair) != 2 or not isinstance(pair[1], int) or pair[1] < 0:
-            raise LatticeError(f"{shorten(pair)} is no pair of a prime ideal and an exponent ≥ 0")
+            raise LatticeError(
+                f"{shorten(pair)} is not a pair of a prime ideal and an exponent ≥ 0"
+            )
         found = found * base.prime_ideal(base.prime(pair[0])) ** pair[1]
     return found
 
@@ -166,7 +168,9 @@ def _expect_fitting(q: int, p: int) -> None:
     if p not in places:
         reason = f"−{q} is a square modulo {shorten(p)}, so that (−q, −p) does not ramify there"
     elif wrong:
-        reason = f"−{shorten(p)} is no square modulo {wrong[-1]}, so that (−q, −p) ramifies there"
+        reason = (
+            f"−{shorten(p)} is not a square modulo {wrong[-1]}, so that (−q, −p) ramifies there"
+        )
     else:
         return
     raise LatticeError(

@@ -120,7 +120,7 @@ def of_smooth_norm(
     smooth = positive(number, "number T")
     if n == 2 or n == f.norm or not is_probable_prime(n):
         raise LatticeError(
-            f"the modulus {shorten(n)} is no odd prime other than {shorten(f.norm)}: expected one"
+            f"the modulus {shorten(n)} is not an odd prime other than {shorten(f.norm)}: expected one"
         )
     if not contains(order, x):
         raise LatticeError(f"{shorten(x)} does not lie in the order")

@@ -84,7 +84,9 @@ class TernaryForm(Hinted):
             )
         for x in self.coefficients:
             if not _is_integer(ring, x):
-                raise LatticeError(f"the coefficient {ring.text(x)} is no integer of {ring.name}")
+                raise LatticeError(
+                    f"the coefficient {ring.text(x)} is not an integer of {ring.name}"
+                )
         if ring.is_zero(self.discriminant()):
             raise LatticeError(f"{self} is degenerate: its discriminant is 0")
 
@@ -308,7 +310,7 @@ class TernaryForm(Hinted):
 def read_form(text: str, ring: Ring, algebras: Callable[..., Any]) -> TernaryForm:
     """Read a form in x, y and z, as it is printed or as code.
 
-    Raises :class:`NotationError` for what is no polynomial, :class:`LatticeError` for no ternary form.
+    Raises :class:`NotationError` for what is not a polynomial, :class:`LatticeError` for no ternary form.
     """
     polynomials: Any = named_ring(f"{ring.name}[x,y,z]")
     exponents = (2, 0, 0), (0, 2, 0), (0, 0, 2), (0, 1, 1), (1, 0, 1), (1, 1, 0)
@@ -316,7 +318,7 @@ def read_form(text: str, ring: Ring, algebras: Callable[..., Any]) -> TernaryFor
     for monomial, coefficient in polynomials(text).terms():
         if tuple(monomial) not in coefficients:
             raise LatticeError(
-                f"{shorten(text)!r} is no ternary form: expected terms in x², y², z², yz, xz and xy alone"
+                f"{shorten(text)!r} is not a ternary form: expected terms in x², y², z², yz, xz and xy alone"
             )
         coefficients[tuple(monomial)] = ring(coefficient)
     return TernaryForm(ring, coefficients.values(), algebras)

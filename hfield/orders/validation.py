@@ -17,7 +17,7 @@ def listed(elements: object) -> list[object]:
     """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
     if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
         raise LatticeError(
-            f"{shorten(repr(elements))} is no list of elements: expected one, such as [e, i, j, k]"
+            f"{shorten(repr(elements))} is not a list of elements: expected one, such as [e, i, j, k]"
         )
     return list(elements)
 
@@ -33,7 +33,7 @@ def positive(n: object, what: str) -> int:
     """Return a positive integer. Raises :class:`LatticeError` for anything else."""
     value = _whole(n)
     if value is None or value < 1:
-        raise LatticeError(f"the {what} {shorten(repr(n))} is no positive integer")
+        raise LatticeError(f"the {what} {shorten(repr(n))} is not a positive integer")
     return value
 
 
@@ -56,7 +56,7 @@ def integer(n: object, what: str) -> int:
     """Return an integer. Raises :class:`LatticeError` for anything else."""
     value = rational(n)
     if not isinstance(value, int):
-        raise LatticeError(f"the {what} {shorten(repr(n))} is no integer")
+        raise LatticeError(f"the {what} {shorten(repr(n))} is not an integer")
     return value
 
 
@@ -71,7 +71,7 @@ def natural(n: object, what: str) -> int:
     """Return an integer ≥ 0. Raises :class:`LatticeError` for anything else."""
     value = _whole(n)
     if value is None or value < 0:
-        raise LatticeError(f"{what} an integer ≥ 0, and {shorten(repr(n))} is none")
+        raise LatticeError(f"{what} an integer ≥ 0, found {shorten(repr(n))}")
     return value
 
 

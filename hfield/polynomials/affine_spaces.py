@@ -25,7 +25,7 @@ Spaces = tuple[
 
 
 def of_trace_and_norm(A: Parent, t: Any, n: Any) -> Quaternion | None:
-    """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
+    """Return a nonscalar element of trace t and norm n, or None. Raises :class:`UndecidedError`."""
     if is_central_simple(A.ring, A.constants):
         q = element_of(A.ring, A.constants, t, n)
         return None if q is None else A(*q)

@@ -152,7 +152,8 @@ class Polynomial(PrintedBySympy):
             return self.parent([other])
         if other.parent != self.parent:
             raise MixedParentsError(
-                f"a polynomial over {self.parent.algebra} meets one over {other.parent.algebra}"
+                f"a polynomial over {self.parent.algebra} cannot be combined with one over "
+                f"{other.parent.algebra}"
             )
         return other
 
@@ -229,7 +230,7 @@ class Polynomial(PrintedBySympy):
     def gcd_right(self, other: object) -> Polynomial:
         """Return the greatest common right divisor, the monic g with A[x]·f + A[x]·other = A[x]·g, or 0.
 
-        Raises :class:`NotInvertibleError` where a remainder's leading coefficient is no unit.
+        Raises :class:`NotInvertibleError` where a remainder's leading coefficient is not a unit.
         """
         return self._euclid(other, left=False)[0]
 
@@ -424,7 +425,7 @@ class Polynomial(PrintedBySympy):
         A = self.parent.algebra
         if not self:
             raise NotInvertibleError(
-                "0 is no product of linear factors: its leading coefficient is no unit"
+                "0 is not a product of linear factors: its leading coefficient is not a unit"
             )
         c = self.coefficients[-1]
         c.inverse()

@@ -77,7 +77,7 @@ class Problem:
 
     @property
     def is_late(self) -> bool:
-        """Whether the time is over."""
+        """Whether the time limit was reached."""
         return self.clock.is_late
 
     def within(self, seconds: float) -> Problem:

@@ -23,7 +23,7 @@ class Step(str):
         return self.at(super().strip(chars))
 
     def said(self, language: str, other: Callable[[str], str | None]) -> str | None:
-        """Return the line in a language; ``other`` says what stands in a slot and is no line itself."""
+        """Return the line in a language; ``other`` says what stands in a slot and is not a line itself."""
         said = {}
         for slot, value in self.slots.items():
             text = value.said(language, other) if isinstance(value, Step) else other(value)

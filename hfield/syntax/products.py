@@ -128,7 +128,7 @@ _Items = list["_Token | _Group"]
 def write_products(letters: Letters, source: str, vocabulary: Vocabulary) -> Typed:
     """Write out a text whose signs are read; ``source`` is what was typed.
 
-    Raises :class:`NotationError` where a product has two readings, or a coordinate is no scalar.
+    Raises :class:`NotationError` where a product has two readings, or a coordinate is not a scalar.
     """
     items, depth = _grouped(letters)
     if depth > MAX_DEPTH:  # the parser refuses it

@@ -73,7 +73,7 @@ _OWN_BAR = re.compile("[^\\x00-\\x7f]")
 def spell(text: str, vocabulary: Vocabulary) -> Typed:
     """Return a text in the plain letters of the language, with the origin of each letter.
 
-    Raises :class:`NotationError` where a product has two readings, or a coordinate is no scalar.
+    Raises :class:`NotationError` where a product has two readings, or a coordinate is not a scalar.
 
     >>> spell("i² = j² = ijk = -1", Vocabulary.of_statements()).text
     'i**2 == -1 and j**2 == -1 and i*j*k == -1'

@@ -163,7 +163,7 @@ def with_own(
     taken = {way.name for way in WAYS}
     for name in functions:
         if name in taken:
-            raise RotationError(f"there is a way called {name!r} already; choose another name")
+            raise RotationError(f"there is already a way called {name!r}; choose another name")
     kinds = {settings.task(test, 1).kind for test in tests}
     for name, function in functions.items():
         if kinds.isdisjoint(own_way(name, function).makes):

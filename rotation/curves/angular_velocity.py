@@ -197,7 +197,7 @@ def _values(omega: ArrayLike | Callable[[float], ArrayLike], times: Array, at: A
             w = _interpolated(samples, times, at)
         else:
             raise RotationError(
-                f"omega has {number} samples for {times.shape[0]} times; as many are expected"
+                f"omega has {number} samples for {times.shape[0]} times; expected one sample for each time"
             )
     return w
 

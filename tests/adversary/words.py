@@ -78,7 +78,7 @@ def _modulus_exists(field: str, parts: list[str]) -> bool | None:
     p = characteristic(field)
     if p is None:
         return None
-    return p == 2 or field in ("RR", "CC")  # elsewhere some sum of four squares is no square
+    return p == 2 or field in ("RR", "CC")  # elsewhere some sum of four squares is not a square
 
 
 def _modulus_law(field: str, parts: list[str]) -> bool | None:

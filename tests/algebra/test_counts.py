@@ -46,7 +46,7 @@ def test_residue_rings_are_counted_too():
     assert found.elements == 256
     assert sum(found.norms.values()) == 256
     assert found.units == found.norms["1"] + found.norms["3"] == 128
-    assert found.nilpotent == 128  # a local ring: what is no unit is nilpotent
+    assert found.nilpotent == 128  # a local ring: what is not a unit is nilpotent
     six = tally(ring("ZZ/6"), constants("ZZ/6", -1, 0, -1))
     assert six.units == 8 * 48  # units modulo 2 times units modulo 3
     assert six.idempotent == 2 * 14

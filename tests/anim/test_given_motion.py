@@ -68,7 +68,7 @@ def test_a_function_of_time(function) -> None:
         (lambda t: t, r"returns the shape \(\)"),
         (lambda t: "x", "returns a str"),
         (lambda t: (nan, 0, 0, 0), "not finite"),
-        (lambda t: 2 * np.eye(3), "no rotation"),
+        (lambda t: 2 * np.eye(3), "not a rotation"),
         (lambda t: np.eye(3) if t else (1, 0, 0, 0), "both quaternions and matrices"),
     ],
 )

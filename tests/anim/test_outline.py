@@ -56,7 +56,7 @@ def test_the_lowest_point_is_put_on_the_ground_and_open_ends_are_closed() -> Non
         ([(0, 0), (inf, 1)], "point 2 of the outline: z is inf"),
         ([(0, 0), (1, 2, 3)], "point 2 of the outline is"),
         ([(0, 0), (1, "a")], "a real number"),
-        ([(0, 0), (1, 1), (2, 0), (3, 1)], "fall in two"),
+        ([(0, 0), (1, 1), (2, 0), (3, 1)], "split the top"),
         ([(0, 1), (0, 2)], "no volume"),
         ([(0, 0), (1, 0)], "no volume"),
         (7, "expected pairs"),
@@ -73,7 +73,7 @@ def test_what_is_no_outline_is_refused(outline, words) -> None:
     [
         ("z, r\n0, 0\n1, -1\n", "own.csv, line 3: the radius is -1"),
         ("0 0\n\n2 1 # widest\n1 1\n", "own.csv, line 4: z is 1, below"),
-        ("0;0\n1;x\n", "own.csv, line 2: 'x' is no number; expected 2 numbers"),
+        ("0;0\n1;x\n", "own.csv, line 2: 'x' is not a number; expected 2 numbers"),
         ("0,0\n1,\n", "own.csv, line 2: a value is missing"),
         ("0 0\n1 2 3\n", "own.csv, line 2 has 3 numbers; expected 2, as on line 1"),
         ("0 0 0\n", "own.csv, line 1 has 3 numbers; expected 2 numbers"),

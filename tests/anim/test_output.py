@@ -124,7 +124,7 @@ def test_folder(scene: Scene, raw: np.ndarray, tmp_path: Path) -> None:
     with pytest.raises(AnimationError, match="--force replaces them"):
         check(path, FILM)
     (path / "notes.txt").write_text("mine")
-    with pytest.raises(AnimationError, match=r"holds 'notes.txt', which is no frame"):
+    with pytest.raises(AnimationError, match=r"holds 'notes.txt', which is not a frame"):
         render(scene, path, FILM, force=True)
     assert (path / "notes.txt").read_text() == "mine"
     (path / "notes.txt").unlink()

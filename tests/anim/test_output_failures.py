@@ -23,7 +23,7 @@ from tests.subcases import first_quick
 @pytest.mark.parametrize(
     ("name", "film", "message"),
     [
-        ("top.avi", FILM, r"as '.avi'; expected \.apng, \.gif"),
+        ("top.avi", FILM, r"'.avi' is unknown; expected \.apng, \.gif"),
         ("top.png", FILM, "--frame N makes a .png of one frame, --sheet of ten"),
         ("top.mp4", Film((161, 120), 5, 25), "try --size 162x120"),
         ("top.mp4", Film((160, 121), 5, 25), "try --size 160x122"),

@@ -32,7 +32,7 @@ from tests.subcases import subcases
     ],
 )
 def test_looks_that_make_no_sense_are_refused(values):
-    with pytest.raises(AnimationError, match=r"expected|is a"):
+    with pytest.raises(AnimationError, match=r"expected|must be a"):
         RenderSettings(**values)
 
 

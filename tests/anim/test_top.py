@@ -75,7 +75,7 @@ def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: 
     status = main(["render", *words, "-o", str(theirs)])
     if suffix == ".jpg":
         assert status == 2
-        with pytest.raises(AnimationError, match="nothing can be written as"):
+        with pytest.raises(AnimationError, match="is unknown"):
             top.save(ours)
         return
     assert status == 0
@@ -114,7 +114,7 @@ def test_frames_are_those_of_the_film(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("t", [-0.1, 99.0, float("nan"), "now"])
 def test_a_time_outside_the_motion_is_refused(t: object) -> None:
-    with pytest.raises(AnimationError, match="t is"):
+    with pytest.raises(AnimationError, match="t (is|must)"):
         Top(TURNING, SMALL).frame(t)  # type: ignore[arg-type]
 
 

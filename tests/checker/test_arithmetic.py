@@ -47,7 +47,7 @@ def test_arithmetic_agrees(name: str) -> None:
 GF4, NOTHING = data.finite(2, 2, [1, 1, 1]), {"kind": ""}
 NO_RINGS = (
     (data.finite(1), "at least 2"),
-    (data.finite(6), "no prime number"),
+    (data.finite(6), "not a prime number"),
     (data.finite(3, 2, [2, 0, 1]), "reducible"),
     (data.finite(3, 2, [1, 0, 0, 1]), "is monic, of the degree 2"),
     (data.finite(2, 4, [1, 0, 1, 0, 1]), "reducible"),

@@ -115,7 +115,7 @@ def test_units_that_do_not_generate_all() -> None:
     for u, why in (
         ("3/2+1/2*sqrt(5)", "do not generate"),
         ("-1", "do not generate"),
-        ("2", "no unit"),
+        ("2", "not a unit"),
         ("1/2+1/2*sqrt(5); 1", "rank"),
     ):
         rejects({**units, "statement": f"unit-group{{2; {u}}}"}, why)
@@ -133,7 +133,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("QQ(sqrt(-21))", "saturated", [], "not shown that the S-units are saturated"),
     ("QQ(sqrt(94))", "primes", [[2, [[0, 1], [0, 1]]], [3, [[1, 1], [2, 1]]]], "twice"),
     ("QQ(sqrt(94))", "primes", [[2, [[0, 1]]], [3, [[1, 1]]]], "not all prime ideals"),
-    ("QQ(sqrt(94))", "primes", [[2, [[0, 1]]], [4, [[0, 0]]]], "no prime number"),
+    ("QQ(sqrt(94))", "primes", [[2, [[0, 1]]], [4, [[0, 0]]]], "not a prime number"),
     ("QQ(sqrt(94))", "primes", [[2, [[0, 0]]], [3, [[1, 1], [2, 1]]]], "not prime"),
     ("QQ(sqrt(94))", "primes", [[2, [[0, 1]]], [2, [[0, 1]]]], "twice"),
     ("QQ(sqrt(5))", "basis", [[1, 0], [0, 1]], "not span all integers at 2"),

@@ -176,16 +176,16 @@ def test_fields_that_are_none() -> None:
     for field in ("ZZ", "ZZ/6", "ZZ[x]", "RDF"):
         there = witness | {"ring": data_of(field)}
         data = certified("s*s == s => s == 0 or s == 1", None, "witness", there)
-        rejects({**data, "verdict": "refuted"}, "is no field")
+        rejects({**data, "verdict": "refuted"}, "is not a field")
         none = {"kind": "none exists", "ring": data_of(field), "proof": IDENTITY}
         data = certified("exists s: 2*s == 1", None, "identity", none)
-        rejects({**data, "verdict": "refuted"}, "is no field")
+        rejects({**data, "verdict": "refuted"}, "is not a field")
         over = {"kind": "over", "ring": data_of(field), "evidence": {"kind": "count"}}
         data = certified("basis{1; 1,0}", None, "count", over)
         rejects({**data, "verdict": "refuted"}, ".")
-    for p, why in ((1, "at least 2"), (0, "at least 2"), (6, "no prime"), (561, "no prime")):
+    for p, why in ((1, "at least 2"), (0, "at least 2"), (6, "not a prime"), (561, "not a prime")):
         rejects(certified("1 == 1", finite(p), "identity", IDENTITY), why)
-    rejects(certified("1 == 1", finite(3215031751), "identity", IDENTITY), "no prime number")
+    rejects(certified("1 == 1", finite(3215031751), "identity", IDENTITY), "not a prime number")
     # a modulus with a root, two that are squares, and others of the wrong degree or characteristic
     for p, degree, modulus, why in (
         (3, 2, [2, 0, 1], "is reducible"),

@@ -202,7 +202,7 @@ POLYNOMIALS = [
 @pytest.mark.parametrize(("name", "path", "what"), POLYNOMIALS)
 def test_a_rejected_polynomial_is_named(name: str, path: tuple[Any, ...], what: str) -> None:
     for text, said in (
-        ("s**", "is no polynomial"),
+        ("s**", "is not a polynomial"),
         ("u[0]", "speaks of 'u[0]'"),
         ("9" * 4001, "has"),
     ):

@@ -111,7 +111,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(2,3|QQ)", "QQ", {**THREE, "place": number(7)}, ROOT),
     ("(2,3|QQ)", "QQ", {**THREE, "place": number(2)}, ROOT),
     ("(2,3|QQ)", "QQ", {**THREE, "place": number(9)}, ROOT),
-    ("(2,3|QQ)", "QQ", {**THREE, "place": number(4)}, "is no place"),
+    ("(2,3|QQ)", "QQ", {**THREE, "place": number(4)}, "is not a place"),
     ("(2,3|QQ)", "QQ", {**THREE, "place": number(1)}, "a place must be at least 2"),
     ("(2,3|QQ)", "QQ", {**THREE, "place": number("3")}, "a place must be an integer"),
     ("(2,3|QQ)", "QQ", {**THREE, "place": {**number(3), "root": 1}}, "unknown key"),
@@ -131,7 +131,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(2,3|QQ)", "QQ", at(3, "0 1 0", "0 0 1 0"), "coordinates has 3 entries"),
     ("(2,3|QQ)", "QQ", at(3, "0 1 0 0 0", "0 0 1 0"), "a quaternion has four coordinates"),
     ("(2,3|QQ)", "QQ", at(3, "0 1 0 0", "0 0 1 0 0"), "a quaternion has four coordinates"),
-    ("(2,3|QQ)", "QQ", at(3, "0 x 0 0", "0 0 1 0"), "'x' is no element of QQ"),
+    ("(2,3|QQ)", "QQ", at(3, "0 x 0 0", "0 0 1 0"), "'x' is not an element of QQ"),
     ("(2,3|QQ)", "QQ", {**THREE, "u": [0, 1, 0, 0]}, "an entry of coordinates must be a text"),
     # These two split: N(j) = 3 and −3, but tr(j) = 4 and B(u, j) = −4.
     ("(2,1|QQ)", "QQ", at(3, "0 1 0 0", "2 0 1 0"), TRACES),
@@ -155,7 +155,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(x,3|QQ(x))", "QQ(x)", near("0", HALF), ROOT),
     ("(1/x,3|QQ(x))", "QQ(x)", near("0", HALF), "a constant has no value at 0"),
     ("(x,3/x|QQ(x))", "QQ(x)", near("0", HALF), "a constant has no value at 0"),
-    ("(x,3|QQ(x))", "QQ(x)", near("x", HALF), "'x' is no element of QQ"),
+    ("(x,3|QQ(x))", "QQ(x)", near("x", HALF), "'x' is not an element of QQ"),
     ("(x,3|QQ(x))", "QQ(x)", near("-1", ORDERING), NEGATIVE),
     ("(x,3|QQ(x))", "QQ(x)", near("-1", LEVEL), SQUARES),
     ("(x,3|QQ(x))", "QQ(x)", near("-1", POINT), "have no values at points"),
@@ -164,8 +164,8 @@ FORGED: list[tuple[str, str, Any, str]] = [
     ("(x,3|QQ(x))", "QQ(x)", HALF, "no place of the kind 'number' is known of QQ(x)"),
     ("(2,3|QQ)", "QQ", POINT, "have no values at points"),
     # Nothing of this is said of rings, of unknown constants, or of all fields.
-    ("(-1,-1|ZZ)", "ZZ", ORDERING, "ZZ is no exact field"),
-    ("(-1,-1|RDF)", "RDF", ORDERING, "RDF is no exact field"),
+    ("(-1,-1|ZZ)", "ZZ", ORDERING, "ZZ is not an exact field"),
+    ("(-1,-1|RDF)", "RDF", ORDERING, "RDF is not an exact field"),
 ]
 
 

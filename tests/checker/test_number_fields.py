@@ -153,21 +153,21 @@ CUBE, QUARTIC = generated([-2, 0, 0, 1]), generated([4, 0, -16, 0, 1])
 @subcases(
     ("field", "place", "why"),
     [
-        (CUBE, ideal(4, 0, 1, 0), "no prime"),
-        (CUBE, ideal(5, 0, 1, 0), "no prime ideal"),
+        (CUBE, ideal(4, 0, 1, 0), "not a prime"),
+        (CUBE, ideal(5, 0, 1, 0), "not a prime ideal"),
         (CUBE, ideal(5), "reducible"),
         (
             generated([-8, -2, -1, 1]),
             ideal(2, 0, 1, 0),
-            "no valuation ring|no prime ideal|reducible",
+            "not a valuation ring|not a prime ideal|reducible",
         ),
         (generated(["-9/2", 0, 1]), ideal(2, 0, 1), "not integral"),
         (CUBE, ideal(2, 2, 0, 0), "needs a polynomial"),  # s³
-        (QUARTIC, ideal(2, 0, 1, 0, 0), "no valuation ring"),
-        (QUARTIC, other(2, [0, 1], [0, 1, 0, 0]), "no valuation ring"),
+        (QUARTIC, ideal(2, 0, 1, 0, 0), "not a valuation ring"),
+        (QUARTIC, other(2, [0, 1], [0, 1, 0, 0]), "not a valuation ring"),
         (QUARTIC, other(2, [0, 1], [0, 0, 1, 0]), "does not generate"),
         (QUARTIC, other(2, [0, 1], [0, "1/4", 0, 0]), "not integral|is integral"),
-        (CUBE, other(2, [1, 1], [0, 1, 0]), "no prime ideal"),
+        (CUBE, other(2, [1, 1], [0, 1, 0]), "not a prime ideal"),
     ],
 )
 def test_what_is_no_place_is_rejected(field: Data, place: Data, why: str) -> None:

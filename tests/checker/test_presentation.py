@@ -214,8 +214,8 @@ def test_proofs_of_something_else_are_rejected() -> None:
         ([1, 2, 0, ""], "a word must be a text"),
         ([1, "", "0", ""], "the number of a relation must be an integer"),
         ([1, "", -1, ""], "the number of a relation must be at least 0"),
-        ([1, "", 0, "x"], "'x' is no word"),
-        ([1, "e", 0, ""], "'e' is no word"),
+        ([1, "", 0, "x"], "'x' is not a word"),
+        ([1, "e", 0, ""], "'e' is not a word"),
         ([1, "i" * 201, 0, ""], "a word has 201 characters"),
     ):
         raw = {"cofactors": [[1, "", 0, ""], entry], "denominator": 1}
@@ -243,7 +243,7 @@ def test_where_a_proof_holds() -> None:
     for other in (None, "QQ", "GF(5)"):
         rejects(over(THREE, other), "valid in one characteristic only")
     rejects(THREE, "is not the goal", characteristic=0)
-    rejects(THREE, "the characteristic is no prime", characteristic=9)
+    rejects(THREE, "the characteristic is not a prime", characteristic=9)
     rejects(THREE, "the characteristic must be an integer", characteristic="3")
     rejects(THREE, "the characteristic must be at least 0", characteristic=-3)
     for ring in ("ZZ", "ZZ/6"):

@@ -110,7 +110,7 @@ def test_each_key_is_needed(key: str) -> None:
         ({"ring": "QQ"}, "the data of a ring must be an object"),
         ({"ring": {"kind": "QQ"}}, "rings of the kind 'QQ' are not known here"),
         ({"ring": {**QQ_DATA, "n": 2}}, "unknown key"),
-        (over(finite(6)), "no prime number"),
+        (over(finite(6)), "not a prime number"),
         (over(finite(3, 2, [2, 0, 1])), "reducible"),
         (over(quadratic(8)), "squarefree"),
         (over(RDF), "nothing is proved over floats"),
@@ -181,7 +181,7 @@ def test_a_witness_must_refute() -> None:
         ({"p": WITNESS["p"]}, "lacks"),
         ({**WITNESS, "r": WITNESS["p"]}, "unknown key"),
         ({**WITNESS, "q": ["0", "0", "1"]}, "coordinates"),
-        ({**WITNESS, "q": ["0", "0", "sqrt(2)", "0"]}, "no element"),
+        ({**WITNESS, "q": ["0", "0", "sqrt(2)", "0"]}, "not an element"),
     ):
         rejects({**good, "evidence": {**good["evidence"], "values": values}}, why)
     other = {**good["evidence"], "ring": finite(3)}

@@ -301,7 +301,7 @@ def test_all_of_the_first_schema_is_read() -> None:
         with pytest.raises(Rejected):
             check(first(division, {**place, "place": bad}))
     for bad in ("4", "1", "0"):
-        with pytest.raises(Rejected, match=r"is no place|must be at least 2"):
+        with pytest.raises(Rejected, match=r"is not a place|must be at least 2"):
             check(first(division, {**place, "place": bad}))
     special = {"kind": "anisotropic", "by": "specialisation", "at": "-1"}
     special["proof"] = {

@@ -25,7 +25,7 @@ def test_a_file_that_is_there_stays(tmp_path: Path, capsys) -> None:
     path.write_text("mine")
     status, _, err = run(capsys, "init", str(path))
     assert status == 2
-    assert "is there already" in err
+    assert "exists already" in err
     assert path.read_text() == "mine"
 
 

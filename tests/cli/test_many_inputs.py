@@ -81,7 +81,7 @@ def test_certificates_by_their_names(run, tmp_path):
         (["info"], "expected ALGEBRA, --from FILE, or - for standard input"),
         (["check", "--format", "csv"], "expected FILE"),
         (["eval", "--from", "/nowhere/at/all"], "cannot read '/nowhere/at/all'"),
-        (["info", "(1,1|QQ)", "(1,2|QQ)", "--format", "json"], "write jsonl or csv"),
+        (["info", "(1,1|QQ)", "(1,2|QQ)", "--format", "json"], "use jsonl or csv"),
         (["prove", "p == p", "q == q", "--certificate", "c.json"], "give one statement"),
     ],
 )

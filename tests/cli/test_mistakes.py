@@ -67,7 +67,7 @@ def test_a_table_of_a_discriminant(capsys):
 
 A = QuaternionAlgebra("QQ", -1, -11)
 CALLED = [
-    (lambda: A.maximal_order(5), HFieldError, "5 is no list of prime factors"),
+    (lambda: A.maximal_order(5), HFieldError, "5 is not a list of prime factors"),
     (lambda: A.maximal_order([4]), HFieldError, "4 was given as a prime factor"),
     (lambda: QuaternionAlgebra("QQ", -1), HFieldError, r"write QuaternionAlgebra\('QQ', -1, -1\)"),
     (lambda: A.maximal_order().class_set()[2], IndexError, "there are 2 classes, numbered from 0"),

@@ -69,7 +69,7 @@ def test_bad_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "one.json"
     path.write_text(json.dumps({**CASES[0], "schema": "hfield-cert/2"}))
     assert main(["upgrade", str(path)]) == 1
-    assert "this is no certificate hfield-cert/1" in capsys.readouterr().err
+    assert "this is not a certificate hfield-cert/1" in capsys.readouterr().err
     path.write_text(json.dumps({**CASES[0], "field": "GF(6)"}))
     assert main(["upgrade", str(path)]) == 1
     assert "nothing is written: GF(6)" in capsys.readouterr().err

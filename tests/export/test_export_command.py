@@ -35,7 +35,7 @@ def test_what_is_not_exported_is_told(run, tmp_path):
     status, out, err = run("--coq", file, "--claim", "table", "--statement", "p*q == q*p")
     assert status == 1
     assert "1 not exported" in out
-    assert "statement_1, p*q == q*p: refuted, so this is no theorem" in err
+    assert "statement_1, p*q == q*p: refuted, so this is not a theorem" in err
 
 
 def test_to_the_terminal(run):

@@ -131,7 +131,7 @@ def test_what_is_refuted_becomes_a_negation():
 @pytest.mark.parametrize(
     ("statement", "field", "reason"),
     [
-        ("p*q == q*p", None, "refuted, so this is no theorem"),
+        ("p*q == q*p", None, "refuted, so this is not a theorem"),
         ("norm(q) == 0 => q == 0", "QQ(sqrt(2))", "the field QQ(sqrt(2)): Coq has ZZ, QQ"),
         ("x**2 == -1 => x + x == 2*x", "GF(9)", "the field GF(9)"),
         ("i == i*k => q != s*q => e == k", "ZZ/4", "'not' or '!=' over ZZ/4"),
@@ -197,8 +197,8 @@ def test_evidence_is_written_out():
 @subcases(
     ("change", "reason"),
     [
-        ({"schema": "hfield-cert/3"}, "this is no certificate"),
-        ({"more": 1}, "this is no certificate"),
+        ({"schema": "hfield-cert/3"}, "this is not a certificate"),
+        ({"more": 1}, "this is not a certificate"),
         ({"verdict": "certain"}, "there is no verdict"),
         ({"field": "GF(3)"}, "the algebra and the field do not agree"),
         (

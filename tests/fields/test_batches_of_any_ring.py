@@ -173,7 +173,7 @@ def test_shapes() -> None:
     assert objects(np.array([[1, 2]]), R)[0, 1] == 2
     assert objects(5, R).shape == ()
     with pytest.raises(
-        CoercionError, match=r"a list with parts of the shapes \(1,\), \(2,\); expected one shape"
+        CoercionError, match=r"have the shapes \(1,\), \(2,\); expected the same shape"
     ):
         objects([[1], [2, 3]], R)
     x = objects([1, "1/2"], R)

@@ -98,7 +98,7 @@ def test_arrays_of_other_fields_and_kinds_are_refused():
         GF(9).array([0.5])
     with pytest.raises(CoercionError, match="not one element"):
         GF(7)(galois.GF(7)([1, 2]))
-    with pytest.raises(CoercionError, match="one shape"):
+    with pytest.raises(CoercionError, match="the same shape"):
         GF(7).array([[1, 2], [3]])
     with pytest.raises(CoercionError):
         ring("QQ").array(galois.GF(7)([1, 2]))

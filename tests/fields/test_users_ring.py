@@ -76,7 +76,7 @@ def test_what_a_ring_does_not_say_is_not_known():
 
 
 class Residue:
-    """A class modulo 6 that is no number and does not divide."""
+    """A class modulo 6 that is not a number and does not divide."""
 
     def __init__(self, n):
         self.n = n % 6

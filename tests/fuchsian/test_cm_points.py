@@ -196,7 +196,7 @@ def test_points_are_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
 def test_what_is_refused() -> None:
     O = order(6)
     for wrong in (-5, 2, 9, 0, "1/2"):
-        with pytest.raises(LatticeError, match="is no discriminant of a quadratic order"):
+        with pytest.raises(LatticeError, match="is not a discriminant of a quadratic order"):
             O.embeddings(wrong)
     with pytest.raises(LatticeError, match="totally negative"):
         O.norm_one_group().cm_points(5)

@@ -156,7 +156,7 @@ def test_what_has_no_axis() -> None:
         G.fundamental_unit("i")
     with pytest.raises(LatticeError, match="cusps"):
         G.geodesics(1)
-    with pytest.raises(TooLargeError, match="ask for less"):
+    with pytest.raises(TooLargeError, match="choose a smaller length"):
         group(6).geodesics(30)
 
 

@@ -124,7 +124,7 @@ def test_groups_over_totally_real_fields(field, real, p, area, orders) -> None:
     x = G.evaluate((1, 2, -1, 2, 1, 1))
     assert G.evaluate(G.word(x)) in (x, -x)
     assert G.word(-1) == ()
-    with pytest.raises(LatticeError, match="no unit of norm 1"):
+    with pytest.raises(LatticeError, match="not a unit of norm 1"):
         G.word(2)
 
 
@@ -159,7 +159,7 @@ def test_some_involutions(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
     assert len(G.quotient(2, 3).elements) == len(G.quotient(2, 3, 6).elements) == 4
     for m in (4, 5, 0):
-        with pytest.raises(LatticeError, match=r"exact divisor|no positive integer"):
+        with pytest.raises(LatticeError, match=r"exact divisor|not a positive integer"):
             G.quotient(m)
     monkeypatch.setattr(normaliser, "MAX_COORDINATES", 8)
     assert len(G.quotient(2).elements) == 2
@@ -180,7 +180,7 @@ STARS_OVER_FIELDS = [
     ("QQ(sqrt(3))", [0], [3], 2, (2, 4, 12)),
     ("QQ(sqrt(6))", [0], [2], 2, (3, 4, 6)),
     ("QQ(sqrt(10))", [0], [3], 2, (2, 2, 3, 4, 4)),  # P₃ is in no square class; P₂² = (2)
-    ("QQ(sqrt(15))", [0], [2], 4, (2, 2, 3, 6)),  # 4 + √15 is no square, P₂² = (2)
+    ("QQ(sqrt(15))", [0], [2], 4, (2, 2, 3, 6)),  # 4 + √15 is not a square, P₂² = (2)
 ]  # fmt: skip
 
 
@@ -306,7 +306,7 @@ def test_units_of_norms() -> None:
         assert x.norm() == -1
         assert x in O
         for u in (0, 2):
-            with pytest.raises(LatticeError, match="no unit"):
+            with pytest.raises(LatticeError, match="not a unit"):
                 O.norm_one_group().unit_of_norm(u)
     G = over_field("QQ(sqrt(5))", [0], 2).maximal_order().norm_one_group()
     golden = ring("QQ(sqrt(5))")("1/2+1/2*sqrt(5)")
@@ -333,7 +333,7 @@ def test_traces_of_words(D: int, N: int) -> None:
 
 def test_other_places_split() -> None:
     for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
-        with pytest.raises(IndefiniteError, match="exactly one real place"):
+        with pytest.raises(IndefiniteError, match="exactly one"):
             QuaternionAlgebra(field, -1, b).maximal_order().norm_one_group()
 
 
@@ -360,7 +360,7 @@ def test_modular_curves(N: int) -> None:
     ],
 )
 def test_orders_of_every_kind(a: int, b: int, texts: str) -> None:
-    """Those that are no Eichler orders too: the domain has the area of the local formula."""
+    """Those that are not Eichler orders too: the domain has the area of the local formula."""
     checked(QuaternionAlgebra("QQ", a, b).order(texts.split()))
 
 
@@ -528,7 +528,7 @@ def test_pictures(tmp_path) -> None:
         assert (tmp_path / name).stat().st_size > 5000
     assert "</svg>" in D._repr_svg_()
     assert "5 sides" in repr(D)
-    with pytest.raises(LatticeError, match=r"try a file \.svg"):
+    with pytest.raises(LatticeError, match=r"ends in \.svg"):
         D.draw(tmp_path / "nowhere" / "a.svg")
 
 

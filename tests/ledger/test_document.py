@@ -84,8 +84,8 @@ def test_faults_of_claims_without_an_id_have_a_line(tmp_path: Path) -> None:
     [
         ("", "expected at least one table"),
         ("x = 1", "key 'x': there is no such key"),
-        ("[[claims", "is no TOML"),
-        ("claims = [3]", "entry 1 is no table"),
+        ("[[claims", "is not TOML"),
+        ("claims = [3]", "entry 1 is not a table"),
         ('schema = "other/2"\n' + HEAD, "expected 'hfield-ledger/1'"),
     ],
 )

@@ -51,7 +51,7 @@ EVERYWHERE = _ids(
     C2.1.2-h C2.1.3-b C2.2.2-a C2.2.4-b C2.2.4-d C2.2.4-g C2.2.4-n C2.2.4-q C2.2.5-a C2.2.5-f
     """
 )
-NO_ROOTS = {"C1.3.1-a"}  # a norm that is no square
+NO_ROOTS = {"C1.3.1-a"}  # a norm that is not a square
 OF_NO_FIELD = _ids(
     """
     C2.1.1-i C3.1.1-a C3.1.1-h C3.2.1-f C3.2.1-l C3.2.1-o C3.3-j C3.3-k C3.4.1-j C3.4.2-f C3.4.3-b

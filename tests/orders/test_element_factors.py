@@ -106,7 +106,7 @@ def test_where_several_ideals_contain_an_element_all_are_tried() -> None:
         ("1/3", [], "does not lie in the order"),
         (0, [2], "the norm 0 of 0"),
         (2, [4], "not a prime number"),
-        (2, 2, "no list of elements"),
+        (2, 2, "not a list of elements"),
     ],
 )
 def test_what_is_not_factored(x: Any, primes: Any, words: str) -> None:

@@ -63,7 +63,7 @@ def test_the_orders_of_sqisign() -> None:
     ("p", "q", "reason"),
     [
         (11, 12, "square factor 2²"),
-        (11, 14, "−11 is no square modulo 7"),
+        (11, 14, "−11 is not a square modulo 7"),
         (13, 3, "a square modulo 13"),
         (13, 1, "a square modulo 13"),
         (11, 0, "positive integer"),

@@ -82,7 +82,7 @@ def test_a_label_is_read_back() -> None:
 
 MISTAKES = [
     (11, "x^2+y^2+*z", NotationError, "character 9"),
-    (11, "x^2+y^2+z", NotationError, "no ternary form"),
+    (11, "x^2+y^2+z", NotationError, "not a ternary form"),
     (11, "x^2+y^2-z^2", NotationError, "not positive"),
     (11, "x^2+y^2", NotationError, "degenerate"),
     (11, "x^2+y^2+z^2", MixedParentsError, "discriminant 2, and .* discriminant 11"),

@@ -188,7 +188,7 @@ def test_files_that_cannot_go_on(tmp_path: Path) -> None:
         *(f"{lines[0]}\n{sealed(lines[0], some)}" for some in (line, other, single)),
     ):
         path.write_text(f"{broken}\n")
-        with pytest.raises(LatticeError, match="no file of classes"):
+        with pytest.raises(LatticeError, match="not a file of classes"):
             O.class_set(file=path)
 
 

@@ -250,9 +250,9 @@ def test_bad_input() -> None:
     with pytest.raises(LatticeError, match="rank 0"):
         A.lattice([])
     for wrong in (None, "i", i, 3):
-        with pytest.raises(LatticeError, match="no list of elements"):
+        with pytest.raises(LatticeError, match="not a list of elements"):
             A.lattice(wrong)
-        with pytest.raises(LatticeError, match="no list of elements"):
+        with pytest.raises(LatticeError, match="not a list of elements"):
             A.order(wrong)
     for wrong in (-1, "3", None):
         with pytest.raises(LatticeError, match="theta series"):

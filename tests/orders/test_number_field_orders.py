@@ -236,9 +236,9 @@ def test_what_is_refused() -> None:
         A.eichler_order(6)
     with pytest.raises(LatticeError, match="ideal of integers as the level"):
         A.eichler_order(K.ideal(K(1) / 2))
-    with pytest.raises(LatticeError, match="no pair"):
+    with pytest.raises(LatticeError, match="not a pair"):
         A.eichler_order([(three, -1)])
-    with pytest.raises(LatticeError, match="no prime ideal"):
+    with pytest.raises(LatticeError, match="not a prime ideal"):
         A.maximal_order().local_index(6)
     with pytest.raises(LatticeError, match="rank 2"):
         A.order(["i"])

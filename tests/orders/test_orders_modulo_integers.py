@@ -81,14 +81,14 @@ def test_what_has_no_matrix_and_no_line() -> None:
         (lambda: O.modulo(22), "factor 11 in common"),
         (lambda: O.modulo(0), "positive integer"),
         (lambda: M.lift([[1, 2, 3]]), "2 × 2"),
-        (lambda: M.lift([[1, 0.5], [0, 1]]), "no integer"),
+        (lambda: M.lift([[1, 0.5], [0, 1]]), "not an integer"),
         (lambda: M.ideal([1, 2, 3]), "2 entries"),
         (lambda: M.ideal((3, 6)), "not primitive"),
-        (lambda: M.kernel(O.right_ideal([15, "1 + j"])), "no left ideal"),
-        (lambda: M.kernel(O.left_ideal([15])), "no line"),
-        (lambda: M.kernel(O.random_ideal(3, seed=1)), "no line"),
+        (lambda: M.kernel(O.right_ideal([15, "1 + j"])), "not a left ideal"),
+        (lambda: M.kernel(O.left_ideal([15])), "not a line"),
+        (lambda: M.kernel(O.random_ideal(3, seed=1)), "not a line"),
         (lambda: M.kernel(O.random_ideal(15, seed=1) / 15), "integral"),
-        (lambda: M.kernel(A.eichler_order(7).random_ideal(15, seed=1)), "no left ideal"),
+        (lambda: M.kernel(A.eichler_order(7).random_ideal(15, seed=1)), "not a left ideal"),
     ]:
         with pytest.raises(LatticeError, match=message):
             call()

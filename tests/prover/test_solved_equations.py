@@ -58,7 +58,7 @@ def test_textbook(text: str, field: str | None, verdict: str) -> None:
 
 
 def test_residues_of_other_moduli_say_nothing() -> None:
-    """That 3 is no sum of two squares modulo 4 does not matter to an odd modulus."""
+    """That 3 is not a sum of two squares modulo 4 does not matter to an odd modulus."""
     n = 3 + 4 * 10**15
     assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{3 * P}").verdict != "refuted"
     assert decide(f"exists s, t: s**2 + t**2 == {n}", f"ZZ/{4 * P}").verdict == "refuted"
@@ -155,7 +155,7 @@ def test_quadratics_over_a_field_that_is_not_tried_through(seed: int) -> None:
         ("exists q: q**2 + q - 1 == 0", "QQ", "refuted"),
         ("exists q: q*q == -7", "QQ", "refuted"),  # 7 is no sum of three squares
         ("exists q: q*q == -7", "QQ[s]/(s^3-2)", "refuted"),
-        ("exists q: q**2 == i + 2", "QQ", "refuted"),  # 5 is no square
+        ("exists q: q**2 == i + 2", "QQ", "refuted"),  # 5 is not a square
         ("exists q: q*q == t", "GF(2)(t)", "refuted"),
         ("exists q: q*q == i*q", "QQ", "proved"),
     ],

@@ -117,7 +117,7 @@ def test_points_of_ones_own(tmp_path, run):
     ("text", "said"),
     [
         ("1 2\n3 4 5\n", "line 2 has 3 numbers; expected 2, as on line 1"),
-        ("x;y\n1;2\n\n3;four\n", "line 4: 'four' is no number; expected 2 numbers (x, y)"),
+        ("x;y\n1;2\n\n3;four\n", "line 4: 'four' is not a number; expected 2 numbers (x, y)"),
         ("1,2\n3,\n", "line 2: a value is missing"),
         ("1,nan\n", "line 1: nan is not finite"),
         ("x,y\n", "has no numbers; expected 2 numbers (x, y) on each line"),
@@ -139,7 +139,7 @@ def test_a_file_that_is_no_table_of_points(text, said, tmp_path, run):
 def test_a_file_that_is_no_text_or_is_not_there(tmp_path, run):
     file = tmp_path / "points.bin"
     file.write_bytes(bytes(range(256)))
-    assert "no text in UTF-8" in run("--points", str(file), "--angle", "30")[2]
+    assert "not UTF-8 text" in run("--points", str(file), "--angle", "30")[2]
     assert "No such file" in run("--points", str(tmp_path / "none"), "--angle", "30")[2]
     assert "directory" in run("--points", str(tmp_path), "--angle", "30")[2]
 

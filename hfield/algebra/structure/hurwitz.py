@@ -96,7 +96,7 @@ def lipschitz_associate(q: Sequence[Fraction | int]) -> Vector:
 def four_squares(n: int) -> tuple[int, int, int, int]:
     """Return a ≥ b ≥ c ≥ d ≥ 0 with ``a² + b² + c² + d² = n``; quick for hundreds of digits.
 
-    Raises :class:`CoercionError` for a negative n or one that is no integer.
+    Raises :class:`CoercionError` for a negative n or one that is not an integer.
 
     >>> sum(x * x for x in four_squares(10**40 + 7)) == 10**40 + 7
     True

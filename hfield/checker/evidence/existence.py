@@ -117,7 +117,7 @@ def _somewhere(
     data = an_object(evidence, f"{keys} ring", "the evidence")
     ring = read_ring(data["ring"])
     if not ring.is_field:
-        reject(f"{ring.name} is no field")
+        reject(f"{ring.name} is not a field")
     if any(ring.constant(("name", name)) is not None for name in statement.exists):
         reject(f"what 'exists' binds means an element of {ring.name} there")
     return replace(setting, field=ring), data

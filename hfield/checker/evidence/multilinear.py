@@ -24,7 +24,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
     """Check the values of both sides at all tuples of basis vectors, over ℤ if no field is named."""
     tree, names = statement.conclusion, [name for name, _ in statement.unknowns]
     if tree[0] != "==" or statement.hypotheses or any(s != "q" for _, s in statement.unknowns):
-        reject("the statement is no equation between multilinear maps")
+        reject("the statement is not an equation between multilinear maps")
     if texts(data["unknowns"], "unknowns") != names or setting.letters or not names:
         reject("the unknowns are not those of the statement")
     if not all(_degrees(side, names) <= {(1,) * len(names)} for side in tree[1:]):

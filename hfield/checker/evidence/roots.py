@@ -60,7 +60,7 @@ def complex_root(statement: Statement, setting: Setting, evidence: object) -> Ch
     an_object(evidence, "kind", "the evidence")
     c = _coefficients(statement, setting, "CC")
     if not is_constant(c[max(c)]):
-        reject("the leading coefficient is no number other than 0")
+        reject("the leading coefficient is not a nonzero number")
     return CheckResult(FIELD, WITNESS).citing(COMPLEX_ROOT)
 
 
@@ -83,7 +83,7 @@ def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int
         or expansion.clauses[0].zeros
         or len(expansion.clauses[0].goals) != 1
     ):
-        reject("the equation is no equation between polynomials")
+        reject("the equation is not an equation between polynomials")
     left = [f for goal in expansion.clauses[0].goals for f in goal if not context.vanishes(f)]
     if len(left) != 1:
         reject("more than one coordinate of the equation does not vanish")

@@ -39,7 +39,7 @@ def subfield(
     elif isinstance(inner, NumberField):
         f = inner.modulus
     else:
-        reject(f"{inner.name} is no number field with a generator")
+        reject(f"{inner.name} is not a number field with a generator")
     _lift(QQ.read(a_text(data["root"], "a root")), f, local.only.n)
     return check(statement, replace(setting, field=inner), data["witness"])
 

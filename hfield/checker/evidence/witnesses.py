@@ -100,7 +100,7 @@ def _witness(
     data = an_object(evidence, "kind values ring", "the evidence")
     ring = read_ring(data["ring"])
     if setting.field is None and not ring.is_field:
-        reject(f"{ring.name} is no field")
+        reject(f"{ring.name} is not a field")
     if setting.field is not None and setting.field.name != ring.name:
         reject("the field of the evidence is not that of the certificate")
     return ring, read_values(ring, data["values"], statement.unknowns)

@@ -117,7 +117,7 @@ class SUnits:
         for x in units:
             den, row = self.integers.coordinates(x)
             if den != 1 or abs(self.integers.norm(row)) != 1:
-                reject("an element is no unit")
+                reject("an element is not a unit")
         if units:
             low, high = volume([()] * len(units), [self.logarithms(x) for x in units])
             least = self.volume[0]
@@ -228,7 +228,7 @@ class SUnits:
         f, top = over_one_denominator(self.field.modulus)
         slope = [k * c for k, c in enumerate(f)][1:]
         if r >= q or top % q == 0 or _at(f, r, q) or not _at(slope, r, q):
-            reject(f"{r} is no simple root of the modulus modulo {q}")
+            reject(f"{r} is not a simple root of the modulus modulo {q}")
         return q, r
 
     def _need_saturated(self, value: object) -> None:
@@ -298,7 +298,7 @@ class SUnits:
     def _residue(self, x: Element, q: int, r: int) -> int:
         c, den = over_one_denominator(x)
         if den % q == 0 or not _at(c, r, q):
-            reject(f"an S-unit is no unit at the prime above {q}")
+            reject(f"an S-unit is not a unit at the prime above {q}")
         return _at(c, r, q) * pow(den, -1, q) % q
 
     def _least_volume(self) -> tuple[int, str]:

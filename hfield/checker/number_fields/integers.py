@@ -169,7 +169,7 @@ class Integers:
     def primes_above(self, p: int, seconds: Sequence[Vector]) -> list["Prime"]:
         """Return the prime ideals (p, α) for these α, seen to be prime, different, and all above p."""
         if not is_prime(p):
-            reject(f"{p} is no prime number")
+            reject(f"{p} is not a prime number")
         found = [Prime(self, p, self._span(p, x)) for x in seconds]
         if len({tuple(P.span) for P in found}) < len(found):
             reject(f"a prime ideal above {p} is given twice")

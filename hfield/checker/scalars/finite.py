@@ -63,8 +63,8 @@ class Finite(Ring):
     def is_irreducible(self, trace: Any, norm: Any) -> bool:
         """Tell whether X² − trace·X + norm has no root in the field.
 
-        In odd characteristic that is so when trace² − 4·norm is no square, in characteristic 2 when trace is
-        not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
+        In odd characteristic this holds when trace² − 4·norm is a nonsquare, in characteristic 2 when trace
+        is not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
         """
         if self.characteristic != 2:
             return self.has_no_root([norm, self.neg(trace), self.one])
@@ -112,7 +112,7 @@ class Residues(Finite):
         return x * y % self.characteristic
 
     def inverse(self, x: int) -> int | None:
-        """Return 1/x, None for what is no unit."""
+        """Return 1/x, None for what is not a unit."""
         spend_inverse(self.characteristic)
         try:
             return pow(x, -1, self.characteristic)
@@ -275,7 +275,7 @@ def _galois_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
     if n > MAX_DEGREE or n * (p.bit_length() - 1) >= MAX_BITS:
         reject(f"a finite field of degree {shown(n)} over GF({shown(p)}) is too large")
     if not is_prime(p):
-        reject(f"the characteristic {p} is no prime number")
+        reject(f"the characteristic {p} is not a prime number")
     modulus = data["modulus"]
     if n == 1:
         if modulus is not None:

@@ -43,7 +43,7 @@ class PrimeIdeal(OverFiniteField):
 
     def __init__(self, field: Generated, p: int, g: list[int]) -> None:
         if not is_prime(p) or field.scale % p == 0:
-            reject(f"{p} is no prime at which the generator of {shown(field.name)} is integral")
+            reject(f"{p} is not a prime at which the generator of {shown(field.name)} is integral")
         self.field, self.p, self.name = field, p, f"({p})"
         f = [_modulo(c, p) for c in field.modulus]
         g = _monic(g, p)
@@ -57,9 +57,9 @@ class PrimeIdeal(OverFiniteField):
                 break
             h, e = quotient, e + 1
         if e == 0:
-            reject(f"the ideal is no prime ideal of {shown(field.name)} above {p}")
+            reject(f"the ideal is not a prime ideal of {shown(field.name)} above {p}")
         if e > 1 and not self._is_regular(g, e, h):
-            reject(f"ℤ[s] is no valuation ring at a prime ideal above {p}")
+            reject(f"ℤ[s] is not a valuation ring at a prime ideal above {p}")
         self.odd = self._element([p] if e == 1 else g)
         power = [1]
         for _ in range(e):

@@ -1,7 +1,7 @@
 """Places whose residues are the integers modulo a number, or the elements of a finite field.
 
 Over ℚ and ℚ(√d) an odd n need not be a prime. Where a Jacobi symbol (D/n) is −1, some prime p divides n an
-odd number of times and D is no square modulo p: the valuation meant is that of such a p, and what is
+odd number of times and D is not a square modulo p: the valuation meant is that of such a p, and what is
 integral at n is integral there. To take for not integral what is so does no harm: it only rejects.
 """
 
@@ -22,7 +22,7 @@ def two_or_odd(value: object) -> int:
     """Read 2 or an odd number above it."""
     n = an_integer(value, "a place", 2)
     if n.bit_length() > MAX_BITS or (n != 2 and n % 2 == 0):
-        reject(f"{shown(n)} is no place, or too large: expected 2 or an odd number")
+        reject(f"{shown(n)} is not a place, or too large: expected 2 or an odd number")
     return n
 
 

@@ -67,7 +67,7 @@ class Ring(ABC):
 
     @abstractmethod
     def inverse(self, x: Any) -> Hashable | None:
-        """Return 1/x, None for what is no unit."""
+        """Return 1/x, None for what is not a unit."""
 
     @property
     def is_domain(self) -> bool:
@@ -140,7 +140,7 @@ class Ring(ABC):
         return power(self.one, x, n, self.mul)
 
     def fraction(self, value: int | Fraction) -> Any:
-        """Return the value of a literal, None where its denominator is no unit."""
+        """Return the value of a literal, None where its denominator is not a unit."""
         if isinstance(value, int):
             return self.number(value)
         below = self.inverse(self.number(value.denominator))
@@ -173,7 +173,7 @@ class Ring(ABC):
         elif kind in ("name", "call"):
             result = self.constant(tree)
         if result is None:
-            reject(f"{shown(text)!r} is no element of {self.name}")
+            reject(f"{shown(text)!r} is not an element of {self.name}")
         return result
 
 

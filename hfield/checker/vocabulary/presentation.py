@@ -122,7 +122,7 @@ def _times(f: Words, g: Words) -> Words:
 def _a_word(value: object, identity: bool) -> str:
     word = a_text(value, "a word", MAX_WORD)
     if not set(word) <= set("ijk" if identity else "eijk"):
-        reject(f"{shown(word)!r} is no word")
+        reject(f"{shown(word)!r} is not a word")
     return word
 
 
@@ -180,7 +180,7 @@ def _established(
     data = an_object(evidence, keys, "the evidence")
     p = an_integer(data["characteristic"], "the characteristic", 0)
     if p and not is_prime(p):
-        reject("the characteristic is no prime")
+        reject("the characteristic is not a prime")
     if data["identity"] is not target.identity:
         reject("whether e is the identity is not as in the statement")
     _repeated(data["relations"], target.relations, target.identity, "relations")

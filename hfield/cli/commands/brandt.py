@@ -186,7 +186,7 @@ def _plot(graph: BrandtGraph, args: Namespace, replace: bool) -> None:
             draw(graph, part, args.dark)
     except (OSError, ValueError) as error:
         raise OutputError(
-            f"cannot draw to {shorten(args.plot)!r}: {error}; try a file .svg, .png or .pdf"
+            f"cannot draw to {shorten(args.plot)!r}: {error}; try a file name that ends in .svg, .png or .pdf"
         ) from error
 
 

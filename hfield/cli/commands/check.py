@@ -177,7 +177,7 @@ def _decoded(content: bytes) -> str:
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError:
-        raise Rejected("the file is not text in UTF-8") from None
+        raise Rejected("the file is not UTF-8 text") from None
 
 
 def _expected(args: Namespace) -> ExpectedClaim | None:
@@ -192,7 +192,7 @@ def _expected(args: Namespace) -> ExpectedClaim | None:
 
         claim = find(args.claim)
         if not claim.checkable:
-            raise UsageError(f"{claim.id} is no claim that a program can check: {claim.note}")
+            raise UsageError(f"{claim.id} is not a claim that a program can check: {claim.note}")
         propositions = [
             p
             for p in (claim.as_printed, claim.corrected)
@@ -200,8 +200,8 @@ def _expected(args: Namespace) -> ExpectedClaim | None:
         ]
         if not propositions:
             raise UsageError(
-                f"{claim.id} is decided by running something, and has no certificate; "
-                f"`hfield explain {claim.id}` runs it again"
+                f"{claim.id} is decided by a computation and has no certificate; `hfield explain {claim.id}` "
+                "runs it again"
             )
         field = None if args.field is None or everywhere else ring(args.field).name
         statements = tuple(p.statement for p in propositions)

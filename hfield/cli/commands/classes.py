@@ -73,10 +73,12 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Count the classes, enumerate them unless --count is given, and print."""
     if args.formula and args.newforms:
-        raise UsageError("--newforms asks for the classes, and --formula enumerates none")
+        raise UsageError(
+            "--newforms needs the classes, and --formula does not enumerate them: leave one of them out"
+        )
     if args.formula and args.certificate is not None:
         raise UsageError(
-            "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
+            "--certificate needs the classes, and --formula does not enumerate them: leave one of them out"
         )
     with class_search(args) as executor:
         return answer_certified(args, partial(_answer, executor=executor))
@@ -220,7 +222,7 @@ def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[],
 
     A = O.algebra
     if args.newforms:
-        raise UsageError(f"--newforms asks for a definite algebra, and {A} is indefinite")
+        raise UsageError(f"--newforms needs a definite algebra, and {A} is indefinite")
     ideals = O.classes_by_norm()
 
     def data() -> dict[str, object]:

@@ -22,7 +22,7 @@ HELP = (
 DOING = "counting"
 EXAMPLES = ("hfield count GF9", "hfield count '[1,1|GF(4))'")
 MAX_PAGE_ELEMENTS = 13**4  # elements that the page of `hfield info` goes through
-NORMS = 32  # of so many norms over a ring that is no field the counts are shown
+NORMS = 32  # of so many norms over a ring that is not a field the counts are shown
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -131,7 +131,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
 
 
 def _exhausted(A: QuaternionAlgebra) -> CountTable:
-    """Count over a finite ring that is no field by going through all elements."""
+    """Count over a finite ring that is not a field by going through all elements."""
     from hfield.algebra import structure
 
     found = structure.tally(A.ring, A.constants)

@@ -84,7 +84,7 @@ def _complex(text: str) -> complex:
         return complex(text.replace(" ", ""))
     except ValueError:
         raise UsageError(
-            f"{shorten(repr(text))} is no complex number; expected such as 0.1+2j"
+            f"{shorten(repr(text))} is not a complex number; expected one such as 0.1+2j"
         ) from None
 
 

@@ -45,7 +45,7 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Draw, and say what was written."""
     if not args.output:
-        raise UsageError("say where the picture goes: -o FILE, a file .svg, .png or .pdf")
+        raise UsageError("expected the file of the picture: -o FILE, ending in .svg, .png or .pdf")
     A = algebra_of(Namespace(where=args.algebra, algebra=None, field=None))
     try_picture(args.output)
     A.draw(args.output, what=args.what, dark=args.dark)

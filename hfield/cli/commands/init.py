@@ -28,7 +28,7 @@ def run(args: Namespace) -> int:
     """Write the ledger, unless the file is there."""
     if args.file not in ("-", "") and Path(args.file).exists():
         raise UsageError(
-            f"{shorten(args.file)!r} is there already, and stays as it is: name another file"
+            f"{shorten(args.file)!r} exists already and was not changed: name another file"
         )
     name = "sheet.toml" if args.file == "-" else args.file
     ledger = (files("hfield.cli.commands") / "init.toml").read_text(encoding="utf-8")

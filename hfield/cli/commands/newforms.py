@@ -93,8 +93,8 @@ def _answer(args: Namespace) -> OutputDocument:
         dimension = number * (k - 1)
         if dimension > MAX_DIMENSION:
             raise UsageError(
-                f"there are {number} classes, by Eichler's formula, so the forms have about {dimension} "
-                f"dimensions: spaces of at most {MAX_DIMENSION} are split"
+                f"there are {number} classes by Eichler's formula, so the space of forms has about "
+                f"{dimension} dimensions: spaces of at most {MAX_DIMENSION} are split"
             )
         seconds = number * SECONDS_A_CLASS + dimension**3 * SECONDS_A_CUBE
         announce(number, seconds, "hfield classes --formula counts them")

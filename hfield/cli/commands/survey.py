@@ -182,7 +182,7 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     pairs = (census.indefinite_pairs if args.groups else census.definite_pairs)(wanted, levels)
     if not pairs:
         raise UsageError(
-            f"in these ranges lies no pair of {kind} discriminant, a product of an {count} number of primes, "
+            f"these ranges contain no pair of {kind} discriminant, a product of an {count} number of primes, "
             "and a level prime to it"
         )
     return census.GROUPS if args.groups else census.CLASSES, pairs
@@ -193,7 +193,7 @@ def _done(journal: Any, names: tuple[str, str]) -> set[Pair]:
         return {(row[names[0]], row[names[1]]) for row in journal.read()}
     except (ValueError, KeyError, TypeError):
         raise OutputError(
-            f"{shorten(journal.path)} is not a survey that could go on: move it away, or name another file"
+            f"{shorten(journal.path)} is not a survey that can be resumed: move it away, or name another file"
         ) from None
 
 

@@ -41,7 +41,7 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Write each certificate anew; return the exit status."""
     if args.into is None and len(args.files) > 1:
-        raise UsageError("of several files each is written to a directory: give --into DIR")
+        raise UsageError("several files are written to a directory: give --into DIR")
     if args.into is not None:
         Path(args.into).mkdir(parents=True, exist_ok=True)
     status = 0
@@ -73,7 +73,7 @@ def _upgraded(name: str) -> dict[str, object]:
     with Path(name).open("rb") as stream:
         data = read_json(stream.read(MAX_BYTES + 1).decode())
     if not isinstance(data, dict) or data.get("schema") != FIRST_SCHEMA:
-        raise RingError(f"this is no certificate {FIRST_SCHEMA}")
+        raise RingError(f"this is not a certificate {FIRST_SCHEMA}")
     out = upgraded(data, _ring, _place)
     if out["ring"] is not None:
         old, out["field"] = str(out["field"]), ring_of_data(out["ring"]).name

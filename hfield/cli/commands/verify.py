@@ -138,7 +138,7 @@ def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str,
 
 
 def _remark(fields: list[str]) -> None:
-    """Say what the verdicts over a ring that is no exact field are worth."""
+    """Say what the verdicts over a ring that is not an exact field are worth."""
     from hfield.fields.names import ring
     from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 

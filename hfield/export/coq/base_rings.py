@@ -68,7 +68,7 @@ def value_in(base_ring: BaseRing, text: str) -> str:
         return f"(Q2Qc ({value.numerator} # {value.denominator}))"
     if base_ring is INTEGERS:
         if value.denominator != 1:
-            raise HFieldError(f"{text!r} is no integer")
+            raise HFieldError(f"{text!r} is not an integer")
         return f"({value.numerator})%Z"
     n = base_ring.characteristic
     try:

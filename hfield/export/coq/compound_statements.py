@@ -261,7 +261,7 @@ class PresentationStatement:
     def word(self, letters: str) -> str:
         """A word as data."""
         if not set(letters) <= set(self.letters):
-            raise MismatchError(f"{letters!r} is no word in {', '.join(self.letters)}")
+            raise MismatchError(f"{letters!r} is not a word in {', '.join(self.letters)}")
         return "[" + "; ".join(f"{'eijk'.index(x)}" for x in letters) + "]%nat"
 
     def _equation(self, node: Compare) -> str:

@@ -343,7 +343,7 @@ def facts_used(items: Iterable[Mapping[str, Any]]) -> set[str]:
 
 def _integer(value: object) -> int:
     if not isinstance(value, int) or isinstance(value, bool):
-        raise MismatchError(f"{value!r} is no integer")
+        raise MismatchError(f"{value!r} is not an integer")
     return value
 
 

@@ -68,7 +68,7 @@ def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
     for name, sort in j.statement.unknowns:
         if name in trees and (own.term(trees[name]).is_scalar) != (sort is Sort.SCALAR):
             if sort is Sort.SCALAR:
-                raise MismatchError(f"the term for {name} is no scalar")
+                raise MismatchError(f"the term for {name} is not a scalar")
             trees[name] = Binary("*", trees[name], Name("e"))
     return trees
 
@@ -240,7 +240,7 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if j.setting.field is not None:
         return Proved(f"~ ({sentence.body})", (f"refine ({judge}).", f"all: {COMPUTED}"))
     if not base_ring.is_field:
-        raise MismatchError(f"{field.name} is no field")
+        raise MismatchError(f"{field.name} is not a field")
     everywhere = Sentence(j.statement, j.setting, FIELDS)
     if base_ring.characteristic > MAX_PRIME:
         raise NotCoveredError(f"a counterexample in GF(p) with p above {MAX_PRIME}")

@@ -149,7 +149,7 @@ def export_certificates(certificates: Mapping[str, Any]) -> Export:
 def theorem_of(name: str, answer: Answer) -> Theorem:
     """Return one answer as a theorem. Raises :class:`NotCoveredError` or :class:`TooLargeError`."""
     if answer.verdict not in (PROVED, VACUOUS):
-        raise NotCoveredError(f"{answer.verdict}, so this is no theorem")
+        raise NotCoveredError(f"{answer.verdict}, so this is not a theorem")
     if answer.certificate is None:
         raise NotCoveredError(f"there is no certificate: {answer.why_no_certificate}")
     return theorem(name, answer.certificate)

@@ -101,7 +101,7 @@ def _is_candidate(part: Proposition) -> bool:
 
 def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
     if not isinstance(part, Statement | Presented):
-        raise NoStatementError("this is no statement of the language")
+        raise NoStatementError("this is not a statement of the language")
     decision = part.decide(None)
     data = certificate(part, decision, UNIVERSAL)
     if data is None:

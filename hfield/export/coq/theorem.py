@@ -48,7 +48,7 @@ def theorem(name: str, data: object, words: str = "") -> Theorem:
     """
     data = current(data)
     if not isinstance(data, Mapping) or set(data) != set(KEYS) or data["schema"] != SCHEMA:
-        raise MismatchError(f"this is no certificate {SCHEMA}")
+        raise MismatchError(f"this is not a certificate {SCHEMA}")
     if data["verdict"] not in CERTIFIED:
         raise MismatchError(f"there is no verdict {shorten(str(data['verdict']))!r}")
     try:

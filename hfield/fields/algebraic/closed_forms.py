@@ -246,14 +246,14 @@ def number(expr: sympy.Expr) -> Surd | Closed:
 
     if not is_known(expr):
         known = ", ".join(FUNCTIONS)
-        raise CoercionError(f"{shorten(expr)} has a part that is not known here; expected {known}")
+        raise CoercionError(f"{shorten(expr)} has an unknown part; expected {known}")
     closed = Closed(lambda: expr)
     value = closed.rational()
     return closed if value is None else from_rational(value)
 
 
 def to_sympy(x: object) -> sympy.Expr:
-    """Return a number as a sympy expression; None if it is no number."""
+    """Return a number as a sympy expression; None if it is not a number."""
     if isinstance(x, Closed):
         return x.expr
     surd = as_surd(x)
@@ -274,7 +274,7 @@ def from_sympy(x: object) -> Surd | Closed | None:
     try:
         value = number(x)
     except OverflowError:
-        raise TooLargeError("the number is too large to be computed with") from None
+        raise TooLargeError("the number is too large to compute with") from None
     if isinstance(value, Closed) and value.bounds is None and value.is_zero():
         return from_rational(0)
     return value
@@ -289,7 +289,7 @@ def root(x: Surd | Closed, n: int) -> Surd | Closed:
         return from_rational(0)
     if isinstance(x, Surd) and len(x.terms) > 1 and is_long(x.terms):  # sympy would factor them
         raise TooLargeError(
-            "a root of a sum of roots of numbers so large is not taken; compute in parts"
+            "the numbers are too large for a root of a sum of roots; compute in parts"
         )
     taken = sympy.root(expr, n)
     return number(sympy.sqrtdenest(taken) if n == 2 and expr.is_real else taken)

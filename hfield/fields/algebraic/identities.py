@@ -16,7 +16,7 @@ import sympy
 
 from hfield.core.factorisation import factor
 
-MAX_TERMS = 1_000_000  # products of terms that are worked out, and terms that are looked at
+MAX_TERMS = 1_000_000  # products of terms that are worked out, and terms that are examined
 MAX_DEGREE = 5_000  # of a radical
 
 Quotient = tuple[Any, Any]  # of polynomials over ℚ

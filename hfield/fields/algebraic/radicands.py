@@ -39,7 +39,7 @@ def reduced(n: int) -> tuple[int, int]:
 
 
 def ratio(m: int, n: int) -> tuple[int, int] | None:
-    """Return positive (u, v) with √m = (u/v)·√n, both roots principal; None if m·n is no square."""
+    """Return positive (u, v) with √m = (u/v)·√n, both roots principal; None if m·n is not a square."""
     if (m < 0) != (n < 0):
         return None
     c = gcd(m, n)

@@ -45,7 +45,7 @@ def _converted(values: object, convert: Callable[[Any], object]) -> np.ndarray:
         if len(shapes) > 1:
             shown = ", ".join(map(str, shapes))
             raise CoercionError(
-                f"a list with parts of the shapes {shown}; expected one shape for all"
+                f"the parts of the list have the shapes {shown}; expected the same shape for all"
             )
         return np.stack(parts) if parts else np.empty((0,), dtype=object)
     if isinstance(values, np.ndarray) and values.ndim:

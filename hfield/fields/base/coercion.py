@@ -20,7 +20,7 @@ def rational(x: object) -> int | Fraction | None:
     """Return x as an int or a Fraction if it is an exact rational number; None for all else.
 
     Known are the numbers of Python (``Decimal`` is one), numpy, gmpy2, sympy and flint. An element of a
-    finite field is none of them, though numpy would convert a galois scalar to its integer label: a label
+    finite field is not one of them, though numpy would convert a galois scalar to its integer label: a label
     is not a multiple of 1. Neither is a float, which stands for a rational by accident of rounding.
     """
     if isinstance(x, int):  # a bool counts as 0 or 1
@@ -62,12 +62,12 @@ def _literal(c: int | Fraction) -> int:
 
 def _power(x: int, n: int) -> int:
     if n < 0:
-        raise NotationError(f"{x}^({n}) is not taken for an integer")
+        raise NotationError(f"{x}^({n}) is not accepted as an integer")
     return int(x**n)
 
 
 def _no_quotient(x: int, y: int) -> int:
-    raise NotationError(f"{x}/{y} is not taken for an integer")
+    raise NotationError(f"{x}/{y} is not accepted as an integer")
 
 
 def is_plain_array(x: object) -> TypeGuard[np.ndarray]:

@@ -46,7 +46,9 @@ def describe(x: object, ring: str, is_exact: bool, characteristic: int) -> tuple
         else:
             example = "'3' or '1/2'" if characteristic else f"{str(x)!r}"
         number = (
-            f"write a text such as {example}, or a Fraction" if x == x else "and this is no number"
+            f"write a text such as {example}, or a Fraction"
+            if x == x
+            else "and this is not a number"
         )
         return called, f"a float is not exact; {number}"
     return called, "expected an int, a Fraction, an element of the ring, or a text"

@@ -130,7 +130,7 @@ class Core(ABC, Generic[E]):
         return found
 
     def _quotient(self, x: Any) -> E | None:
-        """Return Python's 1/x, None where it is no element of the ring, or times x is not 1."""
+        """Return Python's 1/x, None where it is not an element of the ring, or times x is not 1."""
         try:
             found = self(self.one / x)
         except (TypeError, ValueError, ArithmeticError):
@@ -175,7 +175,7 @@ class Core(ABC, Generic[E]):
 
     @property
     def no_field(self) -> str:
-        """Say that this is no field, or not known to be one."""
+        """Say that this is not a field, or not known to be one."""
         known = "not a field" if self.is_field is False else "not known to be a field"
         return f"{self.name} is {known}"
 
@@ -346,7 +346,7 @@ class WithSquares(Core[E]):
         """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
         return Fact(None, "nothing is known of the squares of this ring")
 
-    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Fact:
+    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is not a square") -> Fact:
         """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
         shown = " + ".join(f"({self.text(y)})^2" for y in squares)
         more = f", and {fewer}" if len(squares) > 1 else ""
@@ -416,7 +416,7 @@ class WithSquares(Core[E]):
 
 
 class WithRelatives(Core[E]):
-    """What belongs to a ring that is no field, or is above another one: fractions, residues, constants."""
+    """What belongs to a ring that is not a field, or is above another one: fractions, residues, constants."""
 
     def euclid(self, x: E, y: E) -> tuple[E, E]:
         """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
@@ -432,7 +432,7 @@ class WithRelatives(Core[E]):
 
     @property
     def fractions(self) -> Ring | None:
-        """The field of fractions of an integral domain that is no field, where it has a name."""
+        """The field of fractions of an integral domain that is not a field, where it has a name."""
         return None
 
     def modulo(self, n: int) -> Ring | None:

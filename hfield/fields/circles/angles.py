@@ -1,7 +1,7 @@
 """Angles: sums of rational multiples of named angles and of π, read from texts, trees and sympy.
 
 :class:`SymbolicAngle` is such a sum as a value: the angle of a polar form. Times an axis n, n² = −1, it is
-an :class:`AxisAngle`: the logarithm n·θ of cos θ + n·sin θ, which is no element of the algebra, as θ is none
+an :class:`AxisAngle`: the logarithm n·θ of cos θ + n·sin θ, which is not in the algebra, as θ is none
 of the ring.
 """
 
@@ -39,7 +39,7 @@ def angle_of(x: object) -> Angle:
     if isinstance(found, Fraction):
         if found:
             raise CoercionError(
-                f"the angle {found} is no rational multiple of π: its cosine is transcendental"
+                f"the angle {found} is not a rational multiple of π: its cosine is transcendental"
             )
         return {}
     return {name: c for name, c in found.items() if c}
@@ -258,7 +258,8 @@ class WithAngles(Ring[E]):
     def _no_angle(self, cosine: E, sine: E) -> CoercionError:
         shown = shorten(f"({self.text(cosine)}, {self.text(sine)})")
         return CoercionError(
-            f"the angle of the point {shown} is no sum of rational multiples of π and of the angles of {self}"
+            f"the angle of the point {shown} is not a sum of rational multiples of π and of the angles of "
+            f"{self}"
         )
 
     def functions(self) -> dict[str, Callable[..., E]]:
@@ -322,7 +323,7 @@ def cosine_and_sine_in(ring: Ring, angle: Angle) -> tuple[Any, Any]:
         return ring.cosine_and_sine(angle)
     others = [name for name in angle if name != PI]
     if others:
-        raise CoercionError(f"{others[0]} is no angle of {ring}")
+        raise CoercionError(f"{others[0]} is not an angle of {ring}")
     return cosine_and_sine_of_pi(ring, angle.get(PI, Fraction(0)))
 
 

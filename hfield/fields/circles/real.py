@@ -52,7 +52,7 @@ def in_generators(x: Any) -> Terms:
         return [_in_primes(c, factorise(n)) for n, c in x.terms.items()]
     if x.bounds is None:
         raise CoercionError(
-            f"{shorten(x)} is not seen to be algebraic: coefficients are real algebraic numbers"
+            f"{shorten(x)} is not recognised as algebraic: coefficients are real algebraic numbers"
         )
     import sympy
 

@@ -109,7 +109,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
             if name not in units or count.denominator != 1:
                 known = ", ".join(angle_text(*a) for a in self.angles)
                 raise CoercionError(
-                    f"{c}*{shorten(name)} is no integer multiple of an angle of {self}: these are {known}"
+                    f"{c}*{shorten(name)} is not an integer multiple of an angle of {self}: these are {known}"
                 )
             tangent = tangents[_tangent_name(name, units[name])]
             u, v = _power(self, tangent, int(abs(count)))

@@ -28,7 +28,7 @@ def GF(q: object, modulus: object = None) -> FiniteField:
     """Return the field of q elements; ``modulus`` is an irreducible polynomial in x, as text.
 
     q is an int or a text such as ``"3^2"``. Without a modulus it is Conway's. Raises
-    :class:`RingError` when q is no prime power or the modulus does not fit.
+    :class:`RingError` when q is not a prime power or the modulus does not fit.
 
     >>> GF(9).order, GF(7)(3) ** 2
     (9, 2)
@@ -94,13 +94,13 @@ def _not_a_prime_power(q: int) -> str:
     """Say why there is no field of q elements, and which ones are near."""
     expected = "a field has p^n elements, p prime"
     if q < 2:
-        return f"{shorten(q, 30)} is no prime power; {expected}, the smallest is GF(2)"
+        return f"{shorten(q, 30)} is not a prime power; {expected}, the smallest is GF(2)"
     if q > 10**9:
-        return f"{shorten(q, 30)} is no prime power; {expected}"
+        return f"{shorten(q, 30)} is not a prime power; {expected}"
     factors = " * ".join(f"{p}^{e}" if e > 1 else f"{p}" for p, e in factorise(q).items())
     below = next(m for m in range(q - 1, 1, -1) if prime_power(m))
     above = next(m for m in range(q + 1, 2 * q) if prime_power(m))
-    return f"{q} = {factors} is no prime power; {expected}, the nearest are GF({below}) and GF({above})"
+    return f"{q} = {factors} is not a prime power; {expected}, the nearest are GF({below}) and GF({above})"
 
 
 def _modulus(p: int, n: int, modulus: object) -> list[int]:
@@ -130,8 +130,8 @@ def _modulus(p: int, n: int, modulus: object) -> list[int]:
         )
         example = ExtensionField(p, n).modulus
         raise RingError(
-            f"GF({shorten(p**n, 24)}, {given}): {given} = {shorten(parts)} is reducible over "
-            f"GF({p}), so it makes no field; an irreducible modulus of {field} is {shorten(example)}"
+            f"GF({shorten(p**n, 24)}, {given}): {given} = {shorten(parts)} is reducible over GF({p}), so it "
+            f"does not define a field; an irreducible modulus of {field} is {shorten(example)}"
         )
     return coefficients(m)
 

@@ -113,7 +113,7 @@ def square_parts(field: FunctionField, x: Quotient) -> tuple[Quotient, Quotient]
 
 
 def as_norm(field: FunctionField, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
-    """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+    """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is not a square."""
     (x0, x1), (s0, s1) = square_parts(field, x), square_parts(field, s)
     r = field.divide(x1, s1)
     return x0 + r * s0, r

@@ -20,7 +20,7 @@ def completion_of_functions(field: FunctionField, place: object) -> LocalField:
     v = place_of_functions(field, place)
     if field.base.order is None:
         raise RingError(
-            f"the completion of {field} at {v} is no local field: its residue field is infinite"
+            f"the completion of {field} at {v} is not a local field: its residue field is infinite"
         )
     k, residues = blackboard(field.base.name), residues_at(v)
     if v.poly is None:

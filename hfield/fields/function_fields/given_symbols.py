@@ -1,8 +1,8 @@
 """Algebras over GF(q)(t), q odd or even, that ramify exactly at given places.
 
 Let D be the product of the polynomials among the places. For odd q the algebra is (a, b) with b = D or ε·D
-for a constant ε that is no square. Where all these polynomials have odd degree, a = ε is right. Else it is
-c·ℓ for a constant c and an irreducible ℓ of odd degree that is no square modulo any factor of D: off ℓ the
+for a constant ε that is not a square. Where all these polynomials have odd degree, a = ε is right. Else it is
+c·ℓ for a constant c and an irreducible ℓ of odd degree that is not a square modulo any factor of D: off ℓ the
 symbols are right, and those at ℓ and at infinity are for one of the two b. Dirichlet's theorem provides ℓ,
 and reciprocity does the rest. In characteristic 2 the algebra is [a, D) with a polynomial a of trace 1 modulo
 every factor of D.
@@ -71,7 +71,7 @@ def from_ramification_functions(
 
 
 def _nonsquare(field: FunctionField) -> Quotient:
-    """Return a constant that is no square, q being odd."""
+    """Return a constant that is not a square, q being odd."""
     k = field.base
     return field.constant(next(c for c in k.elements() if k.sqrt(c) is None))
 

@@ -67,12 +67,12 @@ class PolynomialIntegers:
             raise CoercionError(f"{x} is an ideal over {x.integers.ring}, not over {self.ring}")
         if isinstance(x, FunctionPlace):
             if x.poly is None:
-                raise CoercionError(f"inf is no prime of {self.text}: expected a polynomial")
+                raise CoercionError(f"inf is not a prime of {self.text}: expected a polynomial")
             x = x.field.quotient(x.poly, x.field.one.num)
         if isinstance(x, list | tuple):
             some = [self.ideal(g) for g in x if not self.ring.is_zero(self.ring(g))]
             if not some:
-                raise CoercionError("the ideal 0 is none here: give a generator other than 0")
+                raise CoercionError("the zero ideal is not allowed: give a nonzero generator")
             found = some[0]
             for other in some[1:]:
                 found = found + other
@@ -81,7 +81,7 @@ class PolynomialIntegers:
             x = x.strip().removeprefix("ideal")
         value = self.inside(x)
         if value.num == 0:
-            raise CoercionError("the ideal 0 is none here: give a generator other than 0")
+            raise CoercionError("the zero ideal is not allowed: give a nonzero generator")
         return self.principal(value)
 
     def principal(self, x: Quotient) -> PolynomialIdeal:
@@ -282,6 +282,6 @@ def prime_ideal(integers: PolynomialIntegers, x: object) -> PolynomialIdeal:
     found = integers.ideal(x)
     if not found.is_prime():
         raise RingError(
-            f"{shorten(x)} is no prime of {integers.text}: expected an irreducible polynomial"
+            f"{shorten(x)} is not a prime of {integers.text}: expected an irreducible polynomial"
         )
     return found

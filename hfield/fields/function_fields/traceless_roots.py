@@ -55,7 +55,7 @@ def traceless_root_functions(
     if found is None:
         raise UndecidedError(
             f"whether {shorten(field.text(s))} has a square root of trace 0 over {field.name} is undecided; "
-            "tried: rational points of the line that might forbid one; roots with one small coordinate"
+            "tried: rational points of the line that may rule one out; roots with one small coordinate"
         )
     x, y, z = (square * u for u in found)
     return x, y, z
@@ -95,7 +95,7 @@ def _obstruction(field: FunctionField, form: NormalForm, f: Quotient) -> Functio
         if place.poly is None or place.poly.degree() == 1 or f.num % place.poly == 0:
             continue
         kappa, residue = tame_residue(a, b, place)
-        # the residue, which is no square, must become one in the extension by the root of f
+        # the residue, which is not a square, must become one in the extension by the root of f
         if not kappa.is_square(kappa.multiply(residue, kappa.reduce(f))):
             return place
     return None

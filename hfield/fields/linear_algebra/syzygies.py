@@ -166,8 +166,8 @@ def _block(ring: Ring, rows: list[Row], width: int) -> list[Row]:
         )
         return generators(ring, solutions)
     raise UndecidedError(
-        f"generators of a kernel over {shorten(ring.name)} are not found: elimination ends at entries "
-        "that are no units; ask over the field of fractions, or over a residue field"
+        f"generators of a kernel over {shorten(ring.name)} are not found: elimination ends at entries that "
+        "are not units; use the field of fractions or a residue field"
     )
 
 

@@ -89,7 +89,7 @@ class LocalArithmetic(CompletionArithmetic):
             # y² + y takes all values in the prime ideal, and 1 + π^n is a norm for n beyond the pole of a
             if c.a.precision is not None and c.a.precision < 1:
                 raise UndecidedError(
-                    f"{what} hangs on the digits of {c.a} up to {F.big_o(1)}: give it up to there"
+                    f"{what} depends on the digits of {c.a} up to {F.big_o(1)}: give it up to there"
                 )
             F.check_digits(c.b, F.pole(c.a) + 1, what)
 
@@ -164,7 +164,7 @@ class LocalArithmetic(CompletionArithmetic):
         """Return a combination x of quaternions of trace 0 with ``x² = s``, to some digits."""
         F = self.ring
         if F.characteristic == 2:
-            raise UndecidedError(f"isomorphisms of division algebras over {F} are not written down")
+            raise UndecidedError(f"isomorphisms of division algebras over {F} are not computed")
         rng = random.Random(1)
         for _ in range(TRIES):
             scalars = [

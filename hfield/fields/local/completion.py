@@ -81,9 +81,7 @@ class Completion(Overfield[E]):
         def lifted(*xs: Any) -> E:
             for x in xs:
                 if not self.is_known(x):
-                    raise UndecidedError(
-                        f"a function of {self.text(x)} hangs on digits that are not known"
-                    )
+                    raise UndecidedError(f"a function of {self.text(x)} depends on unknown digits")
             return self(f(*(x.value for x in xs)))
 
         return lifted

@@ -55,8 +55,8 @@ class LocalElement(Element):
         if self.precision is None:
             raise CoercionError("0 has no valuation: every power of the prime divides it")
         raise UndecidedError(
-            f"the valuation of {self} is not known, all known digits being 0: more digits are needed, up to "
-            f"{self.field.big_o(self.precision + 1)} at least"
+            f"the valuation of {self} is not known, because all known digits are 0: more digits are needed, "
+            f"up to {self.field.big_o(self.precision + 1)} at least"
         )
 
     def least_valuation(self) -> int | None:

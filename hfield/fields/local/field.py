@@ -170,7 +170,7 @@ class LocalField(Completion[LocalElement]):
         factors = irreducible_factors([x.value for x in coefficients])
         for g in factors:
             if g.degree() > 1 and near_root(integral(g), self.residues.below) is not None:
-                raise UndecidedError(f"{g} has roots in {self} that are no rational numbers")
+                raise UndecidedError(f"{g} has roots in {self} that are not rational numbers")
         return [self(-g[0]) for g in factors if g.degree() == 1]
 
     def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
@@ -180,7 +180,7 @@ class LocalField(Completion[LocalElement]):
             return
         start = x.least_valuation() or 0
         raise UndecidedError(
-            f"{what} hangs on {needed} digit{'s' * (needed > 1)} of {x} from the first that is not 0, and "
+            f"{what} depends on {needed} digit{'s' * (needed > 1)} of {x} from the first that is not 0, and "
             f"{known if x.has_value else 0} are known: give it up to {self.big_o(start + needed)} at least"
         )
 
@@ -263,7 +263,7 @@ class _NamedConstants:
         return Call("O", (digits if known.has_value or not value.has_value else above, above))
 
     def value(self, node: Node) -> LocalElement | None:
-        """Return the value of a term, None where it is no element of the field."""
+        """Return the value of a term, None where it is not an element of the field."""
         if weight(node) > self.field.parse_limit:
             return None
         try:

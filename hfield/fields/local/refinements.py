@@ -70,5 +70,5 @@ def _power(F: LocalField, m: int) -> Any:
 
 def _refuse(F: LocalField, x: LocalElement, n: int) -> NoReturn:
     raise UndecidedError(
-        f"{SYMBOL} hangs on digits of {x} that are not known: give it up to {F.big_o(n)} at least"
+        f"{SYMBOL} depends on digits of {x} that are not known: give it up to {F.big_o(n)} at least"
     )

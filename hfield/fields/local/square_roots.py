@@ -71,7 +71,7 @@ def _derivative(x: Any) -> Any:
 
 
 def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
-    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square.
+    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is not a square.
 
     Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
     """

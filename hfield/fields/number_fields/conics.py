@@ -60,7 +60,7 @@ def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list
         for place in map(local_place, primes_above(field, p)):
             lattice = conic.start()
             if not minimise(conic, lattice, place):
-                raise AssertionError("the form has a zero in every completion")
+                raise AssertionError("the form must have a zero in every completion")
             depths[p] = max(depths[p], -(-_depth(place, lattice.basis) // place.index))
             local.append((place, lattice.basis))
     conductor = math.prod(p**n for p, n in depths.items())

@@ -48,7 +48,8 @@ class MaximalOrder:
         if isinstance(x, PrimeIdeal) and x.field == self.field:
             return x
         raise RingError(
-            f"{shorten(x)} is no prime ideal of {shorten(self.field.name)}; see primes_above(p) of the field"
+            f"{shorten(x)} is not a prime ideal of {shorten(self.field.name)}; see primes_above(p) of the "
+            "field"
         )
 
     def ideal(self, rows: flint.fmpq_mat) -> FractionalIdeal:
@@ -58,8 +59,8 @@ class MaximalOrder:
         entries = whole.hnf().entries()[: n * n]
         if not entries[n * n - 1]:
             raise RingError(
-                f"expected a nonzero ideal of the integers of {shorten(self.field.name)}; "
-                "give a generator that is not 0"
+                f"expected a nonzero ideal of the integers of {shorten(self.field.name)}; give a nonzero "
+                "generator"
             )
         common = math.gcd(int(den), *map(int, entries))
         matrix = flint.fmpz_mat(n, n, [c // common for c in entries])

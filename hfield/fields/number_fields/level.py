@@ -25,7 +25,7 @@ def level(field: NumberField) -> Fact:
     if len(squares) == 1:
         return field.level_of(squares)
     odd = [P for P in field.primes_above(2) if P.e * P.f % 2]
-    fewer = "−1 itself is no square"
+    fewer = "−1 itself is not a square"
     if odd:
         fewer = f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
     if squares:

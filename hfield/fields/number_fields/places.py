@@ -109,5 +109,5 @@ def place_of_number_field(field: NumberField, place: object) -> Place:
             return v
     names = ", ".join(f'"{v}"' for v in above)
     raise RingError(
-        f"{shorten(place)!r} names no single place of {shorten(field.name)}: above it lie {names}"
+        f"{shorten(place)!r} is not a single place of {shorten(field.name)}: the places above it are {names}"
     )

@@ -210,7 +210,7 @@ def primes_above(field: NumberField, p: object) -> tuple[PrimeIdeal, ...]:
     """Return the prime ideals above a prime number, in a fixed order. Raises :class:`RingError`."""
     number = rational(p)
     if not isinstance(number, int) or not is_prime(number):
-        raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
+        raise RingError(f"{shorten(p)} is not a prime number; expected one, such as 5")
     return _primes_above(field, number)
 
 

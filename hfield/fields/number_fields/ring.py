@@ -383,7 +383,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         """Return the prime ideals above a prime number, always in the same order.
 
         Each has ``p, e, f, generators, x in P, valuation(x), reduce(x)`` and ``residue_field``. Raises
-        :class:`RingError` for what is no prime.
+        :class:`RingError` for what is not a prime.
 
         >>> [(P, P.e, P.f) for P in NumberField("x^3-2", "s").primes_above(5)]
         [((5, 2+s), 1, 1), ((5, 4+3*s+s^2), 1, 2)]

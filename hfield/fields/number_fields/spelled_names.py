@@ -336,7 +336,7 @@ def read_number(field: str, text: str) -> NamedNumber:
     m = re.fullmatch(r"(sqrt|cbrt)\((.+)\)|(root)\((.+),(\d+)\)", text)
     if m is None:
         raise RingError(
-            f"{shorten(field)}: {shorten(text)!r} is none of the numbers that make a field here: "
+            f"{shorten(field)}: {shorten(text)!r} is not one of the numbers that define a field here: "
             f"sqrt(2), root(2,3), zeta5, I; {_POLYNOMIAL}"
         )
     n = int(m[5]) if m[3] else {"sqrt": 2, "cbrt": 3}[m[1]]

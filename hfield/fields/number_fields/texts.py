@@ -49,8 +49,8 @@ def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly
             for g, e in factors
         )
         raise ReducibleError(
-            f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant, so it makes no field; "
-            "take one of its factors"
+            f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant, so it does not define "
+            "a field; take one of its factors"
         )
     return f / f.leading_coefficient()
 
@@ -73,7 +73,7 @@ def _read(text: str, name: str) -> flint.fmpq_poly:
 
 def _quotient(x: flint.fmpq_poly, y: flint.fmpq_poly) -> flint.fmpq_poly:
     if y.degree() != 0:
-        raise RingError(f"{y} is no number other than 0, so nothing is divided by it here")
+        raise RingError(f"{y} is not a nonzero number; divide by nonzero numbers only")
     return x / y[0]
 
 

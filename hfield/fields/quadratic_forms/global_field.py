@@ -39,7 +39,9 @@ def known_field(ring: Ring) -> GlobalField:
     """Return the arithmetic of a field with places. Raises :class:`UndecidedError` for any other ring."""
     field = global_field(ring)
     if field is None:
-        raise UndecidedError(f"{ring.name} has no theory of places here")
+        raise UndecidedError(
+            f"{ring.name} has no places: number fields and function fields have them"
+        )
     return field
 
 
@@ -100,9 +102,7 @@ class GlobalField(ABC):
         Raises :class:`RingError` for a 0 and for a place that is none, :class:`UndecidedError` where
         completions are no local fields.
         """
-        raise UndecidedError(
-            f"the completions of {self.ring} are not local fields: ask for residues"
-        )
+        raise UndecidedError(f"the completions of {self.ring} are not local fields: use residues")
 
     def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
         """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
@@ -222,7 +222,7 @@ class GlobalField(ABC):
         return known_primes(shared_primes(numbers), "")
 
     def _to_factor(self, x: Any) -> Iterable[int]:
-        """Return the whole numbers that are factored where places are looked for at which x is no unit."""
+        """Return the whole numbers that are factored where places are looked for at which x is not a unit."""
         return ()
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
@@ -235,7 +235,7 @@ class GlobalField(ABC):
     def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
         """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
 
-        It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
+        It is a division algebra, the characteristic is not 2, and s is not a square (Voight, 14.6.7).
         """
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
@@ -262,7 +262,7 @@ class GlobalField(ABC):
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
     def as_norm(self, x: Any, s: Any) -> tuple[Scalar, Scalar]:
-        """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+        """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is not a square."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
     def artin_schreier(self, x: Any) -> Any:

@@ -65,7 +65,7 @@ def ramified_places(
     :class:`UndecidedError` over a ring without a theory of places.
     """
     if not ring.is_field:
-        raise UndecidedError(f"{ring.no_field}: ask over its field of fractions")
+        raise UndecidedError(f"{ring.no_field}: use its field of fractions")
     if ring.is_zero(discriminant(ring, c)):
         raise RingError(
             "a degenerate algebra, (t² + 4a)·b = 0, has no ramified places: it is not simple"

@@ -39,7 +39,7 @@ class _Ordered(ValueRing):
 
     @property
     def level(self) -> Fact:
-        """Infinite: −1 is no sum of squares."""
+        """Infinite: −1 is not a sum of squares."""
         return Fact(INFINITY, _ORDERED)
 
     @property

@@ -109,7 +109,7 @@ def is_isotropic(form: Sequence[Rational]) -> bool:
     """Tell whether a diagonal form over ℚ in at most four variables, without coefficient 0, has a zero but 0.
 
     Three of its terms are those of a norm form on the elements of trace 0, and a fourth is of use only where
-    the product of all is no square (Hasse and Minkowski; Serre, chapter IV, theorems 6 and 8).
+    the product of all is not a square (Hasse and Minkowski; Serre, chapter IV, theorems 6 and 8).
     """
     if len(form) < 2:
         return False

@@ -36,7 +36,7 @@ POINTS = 12  # as many values of each variable are tried for a point where nothi
 class SeveralArithmetic(GlobalField):
     """The arithmetic of k(x, y, …): residues at prime polynomials (Gille and Szamuely, chapter 6).
 
-    An algebra with a residue that is no square is a division algebra. One without any comes from k, where the
+    An algebra with a nonsquare residue is a division algebra. One without any comes from k, where the
     characteristic is not 2 (purity, Voight 14.6 and Colliot-Thélène's survey of it), and a value decides.
     """
 
@@ -134,9 +134,9 @@ class SeveralArithmetic(GlobalField):
         else:
             tame = self._tame(form, place)
             assert tame is not None, "the residue is not trivial"
-            text = f"{tame.field.text(tame.value)}, which is no square in {tame.field}"
+            text = f"{tame.field.text(tame.value)}, which is not a square in {tame.field}"
             why = (
-                f"{at} has the norm {text}, so it is no square"
+                f"{at} has the norm {text}, so it is not a square"
                 if tame.is_norm
                 else f"{at} is {text}"
             )

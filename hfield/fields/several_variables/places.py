@@ -1,7 +1,7 @@
 """Prime polynomials of k[x, y, …], and what rational functions leave modulo them.
 
 Where P is linear in some variable, P = c·v + d, the residue field is k(…) in the other variables, with −d/c
-for v. Elsewhere the norm down to the other variables may show that a residue is no square. At infinity of a
+for v. Elsewhere the norm down to the other variables may show that a residue is nonsquare. At infinity of a
 variable the leading coefficients stand for the residue.
 """
 

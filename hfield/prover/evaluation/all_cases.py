@@ -94,7 +94,7 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
     doubt: UndecidedError | None = None
     for n, values in enumerate(cases):
         if n % 64 == 63 and problem.is_late:
-            raise UndecidedError(f"time was over after {n} cases")
+            raise UndecidedError(f"the time limit was reached after {n} cases")
         assignment = _assignment(statement, places, values, zero)
         try:
             if seeker.decide(assignment):
@@ -119,7 +119,7 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
     q, cases = len(table.elements), len(table.elements) ** len(places)
     for start in range(0, cases, BLOCK):
         if problem.is_late:
-            raise UndecidedError(f"time was over after {start} of {cases} cases")
+            raise UndecidedError(f"the time limit was reached after {start} of {cases} cases")
         index = np.arange(start, min(start + BLOCK, cases), dtype=np.int32)  # at most MAX_CASES
         digits = []
         for _ in places:

@@ -158,7 +158,7 @@ class System:
                 own, m[n] = own + m[n], 0
             total += term * below ** (degree - own) * self.context.from_dict({tuple(m): 1})
             if len(total) > MAX_TERMS:
-                raise TooLargeError("a solution put in grows too large")
+                raise TooLargeError("a substituted solution grows too large")
         return total
 
     def terms(

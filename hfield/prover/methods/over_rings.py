@@ -1,4 +1,4 @@
-"""Decide a statement over a ring that is no field.
+"""Decide a statement over a ring that is not a field.
 
 An integral domain lies in its field of fractions, and what holds for all elements of the field holds for
 those of the domain, as long as nothing is divided by: over the field there is more that divides.
@@ -41,7 +41,7 @@ MAX_UNITS = 4
 
 
 def decide(problem: Problem) -> Decision:
-    """Decide over a ring that is no field, by the first method that answers."""
+    """Decide over a ring that is not a field, by the first method that answers."""
     field, statement = problem.ring, problem.statement
     attempts, tried = Attempts(), [f"{PLACES_BETWEEN} small places over {field.name}"]
     found = attempts.answer(search_counterexample, problem, PLACES_BETWEEN)
@@ -179,7 +179,7 @@ def _is_unit(node: Node, field: Ring) -> bool:
                 return True
             (below,) = found
     if any(isinstance(n, Name | Call | Index) for n in walk(below)):
-        raise UndecidedError("something divides that is no numeral")
+        raise UndecidedError("the statement divides by more than numerals")
     value, defined = Evaluator(RingScalars(field)).term(below)
     return bool(defined) and field.is_unit(value)
 

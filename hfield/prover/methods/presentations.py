@@ -112,7 +112,7 @@ def read_relations(relations: str | Iterable[str]) -> tuple[str, ...]:
         sides = [side.strip() for side in part.split("==")]
         if len(sides) != 2 or not all(sides):
             raise NotationError(
-                f"{shorten(part.strip())!r} is no relation: expected an equation such as i*i == -1"
+                f"{shorten(part.strip())!r} is not a relation: expected an equation such as i*i == -1"
             )
         found.append(" == ".join(sides))
     return tuple(found)
@@ -124,7 +124,7 @@ def read_goals(statement: str) -> tuple[str, ...]:
     for goal in goals:
         if not (isinstance(goal, Compare) and goal.op == "=="):
             raise NotationError(
-                "what follows from relations are equations, joined by 'and'",
+                "the conclusion from relations must be equations, joined by 'and'",
                 statement,
                 goal.position,
             )
@@ -241,7 +241,7 @@ def _read(source: str | Mapping[str, int], identity: bool) -> Words:
     if not isinstance(source, str):
         for word in source:
             if set(word) - set("eijk") or (not word and not identity):
-                raise NotationError(f"{word!r} is no word in the letters {'eijk'[identity:]}")
+                raise NotationError(f"{word!r} is not a word in the letters {'eijk'[identity:]}")
         words = {w.replace("e", "") if identity else w: int(c) for w, c in source.items()}
         return {w: c for w, c in words.items() if c}
     node = parse(source)

@@ -1,6 +1,6 @@
 """Find forms that represent 0 only trivially as factors of a polynomial.
 
-``s² − 2y²`` puts s and y to 0 over ℚ, since 2 is no square there; ``s² + y² − 3z²`` all three, since
+``s² − 2y²`` puts s and y to 0 over ℚ, since 2 is not a square there; ``s² + y² − 3z²`` all three, since
 (−1, 3) is a division algebra over ℚ. A quadratic polynomial is first written as Σ c·L² by Lagrange's method.
 """
 

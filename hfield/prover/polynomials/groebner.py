@@ -105,7 +105,7 @@ class Basis:
     def reduce(self, f: Polynomial) -> tuple[Polynomial, History]:
         """Return the normal form r of f and a history h with r = f + h.
 
-        Raises :class:`TooLargeError` when the time is over.
+        Raises :class:`TooLargeError` when the time limit is reached.
         """
         p, mask, guard, active = self.p, self.monomials.mask, self.monomials.guard, self.active
         rest: Polynomial = {}
@@ -137,7 +137,7 @@ class Basis:
                 rest[m] = c
             count += 1
             if not count & 1023 and self.clock.is_late:
-                raise TooLargeError("the time is over")
+                raise TooLargeError("the time limit was reached")
         return rest, history
 
     def express(self, history: History) -> list[Polynomial]:

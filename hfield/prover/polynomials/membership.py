@@ -78,7 +78,7 @@ class PolynomialIdeal:
     def cofactors(self, target: flint.fmpz_mpoly) -> Cofactors | None:
         """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None.
 
-        Raises :class:`TooLargeError` when the time is over.
+        Raises :class:`TooLargeError` when the time limit is reached.
         """
         rest, history = self.basis.reduce(self._reduced(target))
         if rest:
@@ -90,7 +90,7 @@ class PolynomialIdeal:
         """Return the minimal elements of the basis, reduced, as integer polynomials.
 
         They come from numbers modulo a prime: what is made of them is in the ideal once it has
-        :meth:`cofactors`. Raises :class:`TooLargeError` when the time is over.
+        :meth:`cofactors`. Raises :class:`TooLargeError` when the time limit is reached.
         """
         size = len(self.basis.leads)
         if size != self._listed[0]:

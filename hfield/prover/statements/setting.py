@@ -167,7 +167,7 @@ def _plain(text: str, field: Ring | None) -> str:
 
 
 def _is_undefined(text: str, field: Ring) -> bool:
-    """Tell whether a constant divides by what is no unit of the field."""
+    """Tell whether a constant divides by what is not a unit of the field."""
     node = parse(text)
     leaves = (n for n in walk(node) if isinstance(n, Name | Call))
     try:

@@ -145,7 +145,9 @@ class _StatementTableWriter:
             return (ZERO,) * self.algebra.dimension
         one = self.algebra.one
         if one is None:
-            self.fail("this algebra has no unit, so that a scalar other than 0 is no element", node)
+            self.fail(
+                "this algebra has no unit, so that a scalar other than 0 is not an element", node
+            )
         return tuple(_times(self.constant(c), x) for c in one.coordinates)
 
     def constant(self, c: Scalar) -> Node:

@@ -133,7 +133,7 @@ def denominator(target: Target, rng: random.Random) -> list[Item]:
 
 
 def characteristic(target: Target, rng: random.Random) -> list[Item]:
-    """An item for a characteristic that is no prime, or not the field's; modulo it, 1 is a sum."""
+    """An item for a characteristic that is not a prime, or not the field's; modulo it, 1 is a sum."""
     c = rng.choice((*COMPOSITE, 2, 3, 5, 7, 1, -1, -2, 2**61 - 1, 10**30))
     goal = _goal(target, rng)
     items = [direct(goal, [], [str(c)], [goal], characteristic=c)]

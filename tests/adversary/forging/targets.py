@@ -199,7 +199,7 @@ OTHERS = [
     Target("s == s", "QQ", "vacuous"),
     Target("2 == 0 => p*q == q*p", None, "vacuous"),
 ]
-# What no ring is, or what is no field: a claim over it is no theorem at all.
+# What no ring is, or what is not a field: a claim over it is not a theorem at all.
 NO_FIELDS = (
     *("GF(6)", "GF(1)", "GF(0)", "GF(15)", "GF(561)", "GF(1729)", "GF(3215031751)", "ZZ/1", "ZZ/0"),
     *("GF(3317044064679887385961981)", "GF(318665857834031151167461)", "GF(4, x^2+1)", "GF(4,x^2)"),

@@ -25,7 +25,7 @@ MEANT = (
 )
 # … and what data of rings may be, when all of them have been read.
 MEANT_OF_RINGS = (
-    *("is not taken apart here", "is no prime number", "is too large to be proved prime"),
+    *("is not taken apart here", "is not a prime number", "is too large to be proved prime"),
     *(
         "the degree is from 1 to 40",
         "are not parted here",

@@ -75,7 +75,7 @@ def test_common_slots(name):
 
 @pytest.mark.parametrize("name", ODD)
 def test_square_roots_of_scalars(name):
-    """There is one exactly where the scalar is no square at a ramified place: it splits nothing there."""
+    """There is one exactly where the scalar is not a square at a ramified place: it splits nothing there."""
     F, rng = ring(name), random.Random(name)
     found = []
     for _ in quick_part(range(12)):

@@ -51,7 +51,7 @@ def check_plane(F, place, c, plane):
 
 @pytest.mark.parametrize("name", ["GF(2)((t))", "GF(2)(t)_(t^2+t+1)"])
 def test_elements_are_norms_from_inseparable_extensions(name):
-    """In characteristic 2 every x is w² + s·r² for an s that is no square."""
+    """In characteristic 2 every x is w² + s·r² for an s that is not a square."""
     F, rng = ring(name), Random(2)
     field, s = known_field(F), F("t")
     for _ in range(5):

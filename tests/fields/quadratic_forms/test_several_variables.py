@@ -17,11 +17,19 @@ from hfield.fields.quadratic_forms.normal_forms import normal_form
 @pytest.mark.parametrize(
     ("text", "places", "word"),
     [
-        ("(x,y|QQ(x,y))", "x, y, 1/x, 1/y", "the residue at x is y, which is no square in QQ(y)"),
-        ("(a,b|QQ(a,b))", "a, b, 1/a, 1/b", "the residue at a is b, which is no square in QQ(b)"),
-        ("(s,t|GF(3)(s,t))", "s, t, 1/s, 1/t", "no square in GF(3)(t)"),
-        ("(x,y*z|QQ(x,y,z))", "x, y, z, 1/x, 1/y, 1/z", "no square in QQ(y,z)"),
-        ("(x,x+y^2-1|QQ(x,y))", "x, y^2+x-1, 1/x", "y^2-1, which is no square"),
+        (
+            "(x,y|QQ(x,y))",
+            "x, y, 1/x, 1/y",
+            "the residue at x is y, which is not a square in QQ(y)",
+        ),
+        (
+            "(a,b|QQ(a,b))",
+            "a, b, 1/a, 1/b",
+            "the residue at a is b, which is not a square in QQ(b)",
+        ),
+        ("(s,t|GF(3)(s,t))", "s, t, 1/s, 1/t", "not a square in GF(3)(t)"),
+        ("(x,y*z|QQ(x,y,z))", "x, y, z, 1/x, 1/y, 1/z", "not a square in QQ(y,z)"),
+        ("(x,x+y^2-1|QQ(x,y))", "x, y^2+x-1, 1/x", "y^2-1, which is not a square"),
         ("(x^2-y^3,2|QQ(x,y))", "y^3-x^2, 1/y", "the norm"),
     ],
 )

@@ -52,7 +52,9 @@ class RingTables:
         import numpy as np
 
         if ring.order is None:
-            raise NotFiniteError(f"{ring.name} is infinite, so its elements cannot be gone through")
+            raise NotFiniteError(
+                f"{ring.name} is infinite, so its elements cannot be tried one by one"
+            )
         self.ring = ring
         self.elements = list(ring.elements())
         self.index = {ring.key(x): n for n, x in enumerate(self.elements)}
@@ -112,8 +114,8 @@ def tally(ring: Ring, c: Constants) -> Tally:
 
     if ring.order is not None and ring.order**4 > LIMIT:
         raise TooLargeError(
-            f"{shorten(ring.order)}^4 elements are more than the {LIMIT} that are gone through; over a "
-            "finite field and over ZZ/n there are formulas"
+            f"{shorten(ring.order)}^4 elements exceed the {LIMIT} that are tried one by one; over a finite "
+            "field and over ZZ/n there are formulas"
         )
     elements = list(ring.elements())
     q = len(elements)

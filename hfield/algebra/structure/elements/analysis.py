@@ -62,7 +62,7 @@ class RealFunctions:
             return self.ring(sympy.atan2(to_sympy(y), to_sympy(x)))
         except HFieldError:
             raise CoercionError(
-                f"the angle of the point ({x}, {y}) is no rational multiple of π, and RR does not have "
+                f"the angle of the point ({x}, {y}) is not a rational multiple of π, and RR does not have "
                 "it: write q.change_ring('RDF')"
             ) from None
 
@@ -243,8 +243,8 @@ def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
         if all(map(ring.is_zero, q)):
             return ring.one, ring.zero, ring.zero, ring.zero
         raise CoercionError(
-            f"the exponential is no rational function of cosines and sines, so not in {ring}; "
-            "(n * angle).exp() is, for an axis n and an angle of the ring such as ring.angle('2*t')"
+            f"the exponential is not a rational function of cosines and sines, so not in {ring}; (n * "
+            "angle).exp() is, for an axis n and an angle of the ring such as ring.angle('2*t')"
         )
     of = RealFunctions(ring, q)
     return exact_value(

@@ -49,7 +49,7 @@ def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = N
         roots: list[Enclosure] = [scalar.ball]
     else:
         if _root_ball(t, n, 1, 128) is None and ring.is_zero(t * t - n * 4):
-            return None  # λ = μ, and q is no scalar
+            return None  # λ = μ, and q is not a scalar
         roots = [lambda bits, s=s: _root_ball(t, n, s, bits) for s in (1, -1)]  # type: ignore[misc]
     angles = []
     for enclosure in roots:
@@ -72,7 +72,7 @@ def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = N
         return None
     raise UndecidedError(
         f"the order over {ring.name} of an element with {_shown(t, n, scalar)} is infinite or greater than "
-        f"{UNKNOWN}: not decided, for these are not seen to be algebraic numbers of small degree"
+        f"{UNKNOWN}: not decided, because these are not recognised as algebraic numbers of small degree"
     )
 
 

@@ -136,7 +136,7 @@ def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
 
 
 def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
-    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0; s is no square."""
+    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0; s is not a square."""
     o = ring.zero
     field = known_field(ring)  # finite fields of characteristic 2 have all square roots
     if ring.sqrt(c.b) is None:

@@ -30,12 +30,12 @@ SEARCHED_ORDERS = 120
 def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None:
     """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
 
-    Raises :class:`NotInvertibleError` when q is no unit, and :class:`UndecidedError` where it is not known:
+    Raises :class:`NotInvertibleError` when q is not a unit, and :class:`UndecidedError` where it is unknown:
     for transcendental numbers, over infinite rings of one's own, and where a factorisation is out of reach.
     """
     n, t = norm(c, q), trace(c, q)
     if not ring.is_unit(n):
-        raise NotInvertibleError("an element without inverse has no order: its norm is no unit")
+        raise NotInvertibleError("an element without inverse has no order: its norm is not a unit")
     if not ring.is_exact:
         raise UndecidedError(f"orders of units over {ring.name} are not decided: it is inexact")
     if ring.closure is not None:

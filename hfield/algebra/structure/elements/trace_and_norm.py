@@ -17,7 +17,7 @@ from hfield.fields.quadratic_forms.normal_forms import normal_form
 
 
 def element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
-    """Return an element of trace t and norm n that is no scalar, or None, for a central simple algebra.
+    """Return an element of trace t and norm n that is not a scalar, or None, for a central simple algebra.
 
     Raises :class:`UndecidedError` where neither is known.
     """

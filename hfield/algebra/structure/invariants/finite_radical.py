@@ -1,4 +1,4 @@
-"""The Jacobson radical of an algebra over a finite ring that is no field.
+"""The Jacobson radical of an algebra over a finite ring that is not a field.
 
 An element q is in it when ``tr(q·conj(u))``, for u = e, i, j, k, and N(q) lie in the radical of the ring,
 which consists of the nilpotent elements. At a residue field of characteristic 2 in which t is 0 the first

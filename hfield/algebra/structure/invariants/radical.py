@@ -50,7 +50,7 @@ def is_semisimple(ring: Ring, c: Constants) -> bool:
 
 
 def is_local(ring: Ring, c: Constants) -> bool:
-    """Tell whether the elements that are no units are an ideal. Raises :class:`UndecidedError`.
+    """Tell whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
 
     A finite ring is local when 0 and 1 are its only idempotents. Over a field a central simple algebra is
     local when it is a division algebra. A degenerate one is not, when X² − t·X − a, with b = 0, or X² − b
@@ -122,9 +122,7 @@ def square_parts(ring: Ring, x: Scalar) -> tuple[Scalar, ...]:
         return field.square_parts(x)
     root = ring.sqrt(x)
     if root is None:
-        raise UndecidedError(
-            f"{ring.name} is not perfect, and its square roots are not split up here"
-        )
+        raise UndecidedError(f"{ring.name} is not perfect, and its square roots are not found here")
     return (root,)
 
 

@@ -66,7 +66,7 @@ class LabelArrays(RowArrays):
         if block.size and not (int(block.min()) >= 0 and int(block.max()) < order):
             wrong = int(block.min()) if int(block.min()) < 0 else int(block.max())
             raise CoercionError(
-                f"{wrong} is no label of an element of {self.ring}: expected 0 to {shorten(order - 1)}"
+                f"{wrong} is not a label of an element of {self.ring}: expected 0 to {shorten(order - 1)}"
             )
 
     # --- loops ---------------------------------------------------------------------------------

@@ -165,7 +165,9 @@ class WordArrays(RowArrays):
     def check_numbers(self, block: Row) -> None:
         """Refuse numbers that a word does not hold."""
         if block.dtype == np.uint64 and block.size and int(block.max()) >= 2**63:
-            raise CoercionError("numbers from 2^63 on are no int64: expected an array of int64")
+            raise CoercionError(
+                "numbers of 2^63 and more do not fit int64: expected an array of int64"
+            )
 
     def to_array(self, p: Rows) -> Row:
         """Return the rows as one array of int64. Raises :class:`CoercionError` for larger numbers."""

@@ -67,7 +67,7 @@ class SUnits:
         self.bound = max(norm_bound(frame), self._least_bound() if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
-                f"the class group of {shorten(frame.field.name)} asks for all prime ideals of norm up to "
+                f"the class group of {shorten(frame.field.name)} needs all prime ideals of norm up to "
                 f"{self.bound}, and {MAX_BOUND} is the most here: the discriminant is too large"
             )
         self.order_of_torsion, self.torsion = roots_of_unity(frame)

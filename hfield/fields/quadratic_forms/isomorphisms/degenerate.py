@@ -74,7 +74,7 @@ def _inseparable(ring: Ring, c: Constants, other: Constants) -> Pair | None:
     if p is not None and q is not None:
         return None
     field = known_field(ring)  # finite fields of characteristic 2 have all square roots
-    turn = p is not None  # then j is the one whose square is no square
+    turn = p is not None  # then j is the one whose square is not a square
     s, rest = (other.b, other.a) if turn else (other.a, other.b)
     w, r = field.as_norm(rest, s)
     images = []

@@ -179,7 +179,8 @@ def same_parent(ring: Ring, other: Ring) -> None:
     """Refuse to compare algebras over different fields. Raises :class:`MixedParentsError`."""
     if ring != other:
         raise MixedParentsError(
-            f"one algebra is over {ring.name}, the other over {other.name}: change the ring of one first"
+            f"one algebra is over {ring.name}, the other over {other.name}: change the ring of one of them "
+            "with change_ring() first"
         )
 
 

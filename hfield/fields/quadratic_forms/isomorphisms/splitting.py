@@ -78,7 +78,7 @@ def split(ring: Ring, c: Constants) -> CoordinateSplitting | None:
     """Return an isomorphism with M₂(F), verified, or None for a division algebra.
 
     Raises :class:`CoercionError` for a degenerate algebra, which is not simple, and
-    :class:`UndecidedError` where zero norms are not decided or the ring is no field.
+    :class:`UndecidedError` where zero norms are not decided or the ring is not a field.
     """
     answer = division_or_splitting(ring, c)
     return answer if isinstance(answer, CoordinateSplitting) else None

@@ -39,7 +39,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
     """
     if not ring.is_exact:
         raise UndecidedError(
-            f"{ring.name} is inexact, so a norm is never known to be 0: ask over {ring.exact_ring} or over QQ"
+            f"{ring.name} is inexact, so a norm is never known to be 0: use {ring.exact_ring} or over QQ"
         )
     element = _small(ring, c)
     if element is not None:
@@ -80,12 +80,10 @@ def is_division(ring: Ring, c: Constants) -> bool:
     """
     if not ring.is_exact:
         raise UndecidedError(
-            f"{ring.name} is inexact, so division is not decided there: ask over {ring.exact_ring}"
+            f"{ring.name} is inexact, so division is not decided: use {ring.exact_ring}"
         )
     if ring.is_field is None:
-        raise UndecidedError(
-            f"{ring.no_field}: over a ring that is none there are no division algebras"
-        )
+        raise UndecidedError(f"{ring.no_field}: division algebras are defined over fields only")
     if not ring.is_field:
         return False
     if ring.order is None and _is_degenerate(ring, c) is False:

@@ -44,7 +44,7 @@ def zero_norm_finite(ring: Ring, c: Constants) -> Coordinates:
             u, v = a * x, ring.divide(a * y, s)
             return a - shift * u, u, v, zero
     raise UndecidedError(
-        f"{ring.name} has a non-square that is no sum of two squares: not a field?"
+        f"{ring.name} has a non-square that is not a sum of two squares: not a field?"
     )
 
 
