@@ -114,7 +114,7 @@ def test_frames_are_those_of_the_film(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("t", [-0.1, 99.0, float("nan"), "now"])
 def test_a_time_outside_the_motion_is_refused(t: object) -> None:
-    with pytest.raises(AnimationError, match="t (is|must)"):
+    with pytest.raises(AnimationError, match=r"t (is|must)"):
         Top(TURNING, SMALL).frame(t)  # type: ignore[arg-type]
 
 
