@@ -12,7 +12,7 @@ import hfield.core.locks  # noqa: F401  # a fork may come while the names below 
 from hfield.fields.base.registry import REGISTRY
 from hfield.fields.provided import provide
 
-__version__ = "0.3.0"
+__version__ = "0.4.0"
 
 provide(REGISTRY)
 
