@@ -165,7 +165,7 @@ def _enumerated(
         facts = [
             *_facts(O, f"{len(C)}, {how}"),
             ("type number", str(C.type_number)),
-            ("stable classes", f"{O.stable_class_number()}, of I up to I ⊕ O ≅ J ⊕ O{cancels}"),
+            ("stable classes", f"{O.stable_class_number()}, where I ~ J if I ⊕ O ≅ J ⊕ O{cancels}"),
         ]
         forms = _forms(C) if args.newforms else []
         return [Facts(facts, 14), _table(C), *_types(C), *forms]

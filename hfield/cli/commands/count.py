@@ -131,7 +131,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
 
 
 def _exhausted(A: QuaternionAlgebra) -> CountTable:
-    """Count over a finite ring that is not a field by going through all elements."""
+    """Count over a finite ring that is not a field by enumerating all elements."""
     from hfield.algebra import structure
 
     found = structure.tally(A.ring, A.constants)
@@ -178,5 +178,5 @@ def _note(result: CountTable) -> str:
     if result.exhausted is None:
         return "by the formulas; there are too many elements to go through them all here"
     if all(formula is None for _, _, formula in result.lines):
-        return f"counted by going through all {result.exhausted} elements"
-    return f"confirmed by going through all {result.exhausted} elements"
+        return f"counted by enumerating all {result.exhausted} elements"
+    return f"confirmed by enumerating all {result.exhausted} elements"

@@ -100,7 +100,7 @@ def parts(K: Any) -> list[Part]:
         ("discriminant", str(K.discriminant())),
         ("integers", f"ℤ⟨{', '.join(K.text(x) for x in K.integral_basis())}⟩"),
         ("class group", group(K.class_group())),
-        ("narrow classes", group(K.narrow_class_group())),
+        ("narrow class group", group(K.narrow_class_group())),
         ("roots of unity", f"{units.torsion_order}, powers of {K.text(units.torsion)}"),
         ("units", f"rank {units.rank}{': ' * bool(free)}{free}"),
         ("regulator", units.regulator.str(15, radius=False)),

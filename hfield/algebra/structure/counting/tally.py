@@ -1,4 +1,4 @@
-"""Counting by going through all elements of an algebra over a finite ring, four coordinates at a time.
+"""Counting by enumerating all elements of an algebra over a finite ring, four coordinates at a time.
 
 All elements with the first coordinate fixed go through at once: through compiled loops where they are many
 and the ring has some, else through tables of the ring's sums and products, which numpy looks up. Both ways
