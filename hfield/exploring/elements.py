@@ -220,7 +220,7 @@ class Elements:
         total = self.cardinality()
         if not -total <= n < total:
             raise IndexError(
-                f"{self._title} are {shorten(total)}: there is none number {shorten(n)}"
+                f"index {shorten(n)} is out of range: there are {shorten(total)} {self._title}"
             )
         if order_of_ring(self.algebra) > MAX_ORDER:
             return next(islice(self._solved(), n % total, None))

@@ -192,7 +192,7 @@ def _expect_one_split_place(order: LatticeValue) -> None:
     ambient, base = order.ambient, order.ambient.base
     if base.is_polynomial:
         raise IndefiniteError(
-            f"units of an order in {shorten(order.algebra)} are no motions of the hyperbolic plane: "
+            f"units of an order in {shorten(order.algebra)} are not motions of the hyperbolic plane: "
             "norm_one_group() is for orders over ℤ and the integers of totally real fields"
         )
     if ambient.definite:

@@ -147,8 +147,8 @@ def _volume(minors: list[int], bound: int, dimension: int) -> float:
 def _expect_affordable(vectors: float, what: str) -> None:
     if vectors > MAX_STEPS:
         raise TooLargeError(
-            f"about {vectors:.0e} {what} the one asked for would have to be run through, and at most "
-            f"{MAX_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
+            f"about {vectors:.0e} {what} the wanted one would have to be enumerated, more than the limit of "
+            f"{MAX_STEPS:.0e}; O.represent_integer(n) finds one element of large norm"
         )
 
 

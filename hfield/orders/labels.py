@@ -59,7 +59,7 @@ def order_of_label(algebra: Parent, text: str) -> LatticeValue:
     if not ambient.base.is_rational:
         raise _no_label(f"of orders over {ambient.base.symbol}")
     if not isinstance(text, str):
-        raise NotationError(f"{shorten(repr(text))} is no text: {_EXPECTED}")
+        raise NotationError(f"{shorten(repr(text))} is not a text: {_EXPECTED}")
     indefinite = re.fullmatch(r"\s*([0-9]{1,4000})\.([0-9]{1,4000})\s*", text)
     if indefinite:
         return _eichler(algebra, int(indefinite[1]), int(indefinite[2]))

@@ -163,7 +163,7 @@ class LatticeValue:
         ambient, n = self.ambient, self.ambient.degree
         if ambient.base.is_polynomial:
             raise LatticeError(
-                f"ternary forms are made of orders over ℤ and the integers of number fields, not over "
+                f"ternary forms exist for orders over ℤ and the integers of number fields, not over "
                 f"{ambient.base.symbol}, where 2 may be 0"
             )
         rank = 3 * n

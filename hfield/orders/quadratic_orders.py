@@ -129,7 +129,7 @@ class Embeddings(Certified, Verdict["Quaternion"]):
         elif isinstance(x, tuple):
             if len(x) != 2:
                 raise LatticeError(
-                    f"{shorten(x)} is no pair (u, v): expected one, for u + v·(t + √d)/2"
+                    f"{shorten(x)} is not a pair (u, v): expected one, for u + v·(t + √d)/2"
                 )
             u, v = x
         F = algebra.ring

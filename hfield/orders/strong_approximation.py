@@ -132,7 +132,7 @@ def of_smooth_norm(
     found = [v for v in kernel(list(zip(*table, strict=True)), n) if v[2] % n]
     if not found or int(x.norm()) % n == 0:
         raise LatticeError(
-            f"{shorten(x)} is no (C + D·s)·β modulo {shorten(n)}·O of norm prime to it: expected what "
+            f"{shorten(x)} is not (C + D·s)·β modulo {shorten(n)}·O of norm prime to it: expected what "
             "ideal_mod_constraint() or eichler_mod_constraint() returns"
         )
     divisors = Divisors(tuple((p, e) for p, e in factor(smooth).primes.items() if p != n))

@@ -503,7 +503,7 @@ def _is_negative(term: str) -> bool:
 def _constant(f: Polynomial) -> Quaternion:
     if f.degree > 0:
         raise NotationError(
-            f"{f} stands where an element is expected, as a divisor or in a function"
+            f"{f} is a polynomial, where an element is expected, as a divisor or in a function"
         )
     return f(0)
 

@@ -143,7 +143,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if evidence["kind"] == Kind.PLACE:
         values = {name: _tree(texts) for name, texts in evidence["values"].items()}
         if set(values) != set(j.given):
-            raise MismatchError("the place is not one for what is given")
+            raise MismatchError("the point does not assign the given unknowns")
         matrix = substitute(matrix, values)
         own = Terms([], [], here.constants)
         for name, sort in sentence.order:

@@ -62,7 +62,7 @@ def common_slot(numbers: Sequence[FieldElement], ramified: Collection[Place]) ->
             if all(_fits(numbers, e, P, ramified) for P in new):
                 return e
     raise UndecidedError(
-        f"no number of {field.name} with the symbols asked for was found among {TRIALS} of fitting classes"
+        f"no number of {field.name} with the wanted symbols was found among {TRIALS} of fitting classes"
     )
 
 
@@ -132,7 +132,7 @@ def _classes(
             powers = [k for _, k in right]
             if not right:
                 raise UndecidedError(
-                    f"no number has the symbols asked for at {P}, a prime ideal above {P.p}"
+                    f"no number has the wanted symbols at {P}, a prime ideal above {P.p}"
                 )
             if powers[:2] != [1, 1]:  # else any unit will do
                 classes[P] = right[0] if powers != [2, 2] else (P.field.zero, 1)

@@ -148,7 +148,7 @@ def from_ramification_q(primes: Iterable[object], infinite: bool | None) -> tupl
     if len(places) > len(wanted):
         if infinite is False or len(places) > len(wanted) + 1:
             raise RingError(
-                "the infinite place stands among the places, and is denied or named twice"
+                "the infinite place is among the places and also denied, or named twice"
             )
         infinite = True
     elif infinite is None:
