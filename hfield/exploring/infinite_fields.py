@@ -32,7 +32,8 @@ def sample(algebra: Parent, condition: Condition, n: int, seed: int) -> tuple[Qu
     ring = algebra.ring
     if not ring.is_field:
         raise UndecidedError(
-            f"elements are sampled over fields and finite rings, and {ring} is an infinite ring: use its field of fractions"
+            f"elements are sampled over fields and finite rings, and {ring} is an infinite ring: use "
+            "its field of fractions"
         )
     draw = _drawing(algebra, condition, Random(seed))
     found: list[Quaternion] = []

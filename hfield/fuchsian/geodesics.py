@@ -65,7 +65,8 @@ def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
     sign = polygon.plane.order.sign(polygon.plane.norm(v))
     if sign == 0:
         raise LatticeError(
-            f"{shorten(x)} fixes neither a point of the plane nor an axis: expected an element that is neither a scalar nor parabolic"
+            f"{shorten(x)} fixes neither a point of the plane nor an axis: expected an element that is "
+            "neither a scalar nor parabolic"
         )
     if sign < 0 and x.algebra.ring.is_square(x.trace() * x.trace() - 4 * x.norm()):
         raise LatticeError(f"the axis of {shorten(x)} ends at cusps, and no unit moves along it")

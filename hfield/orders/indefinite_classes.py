@@ -34,7 +34,8 @@ class IndefiniteClassSet(Hinted):
         self.order, ambient = order, order.value.ambient
         if order.is_definite():
             raise IndefiniteError(
-                f"{order.algebra} is totally definite: class_set() enumerates its classes, and norms determine only stable classes"
+                f"{order.algebra} is totally definite: class_set() enumerates its classes, and norms "
+                "determine only stable classes"
             )
         for P, _ in ambient.base.factorisation(discriminant(order.value)):
             if eichler_symbol(order.value, P) == 0:
