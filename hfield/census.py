@@ -19,7 +19,7 @@ from hfield.core.factorisation import factorise
 from hfield.core.journal import Row
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
-from hfield.orders import class_number
+from hfield.orders import mass_formula
 
 Pair = tuple[Any, Any]
 PIECE = 8
@@ -147,8 +147,8 @@ def row(pair: Pair, most: int) -> Row:
     """Return what is known of the classes of (D, N); they are enumerated if they are at most ``most``."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)))
-    number = class_number.class_number(d, n)
-    mass = class_number.eichler_mass(d, n)
+    number = mass_formula.class_number(d, n)
+    mass = mass_formula.eichler_mass(d, n)
     found: Row = {
         "discriminant": d,
         "level": n,

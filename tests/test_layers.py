@@ -60,7 +60,7 @@ LAYERS = [
     {"hfield.orders.elliptic_points"},
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.equivalence"},  # looks for elements in the hyperbolic plane
-    {"hfield.orders.isomorphisms", "hfield.orders.element_factors"},
+    {"hfield.orders.isomorphism", "hfield.orders.element_factors"},
     {"hfield.orders.lattice"},
     {"hfield.orders.hurwitz_order", "hfield.orders.foreign_texts"},
     {"hfield.algebra"},

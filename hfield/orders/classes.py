@@ -26,7 +26,6 @@ from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
-from hfield.orders.class_number import mass
 from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_key
 from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import two_sided_prime
@@ -39,6 +38,7 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
+from hfield.orders.mass_formula import mass
 from hfield.orders.neighbour_blocks import (
     BlockSearch,
     class_keys,

@@ -2,7 +2,7 @@
 
 An isomorphism of orders is a conjugation (Skolem and Noether), hence an isometry of trace-0 parts. It is
 determined by the images of two elements that do not commute. Over ℤ these lattices of rank 3 have few reduced
-bases: the kernel :mod:`hfield.orders.isomorphic_orders` compares them, which is quick, however skew they are.
+bases: the kernel :mod:`hfield.orders.ternary_reduction` compares them, which is quick, however skew they are.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import flint
 from hfield.orders.base_values import Scalar
 from hfield.orders.connected_orders import conjugator as by_connecting_ideals
 from hfield.orders.enumeration import short_vectors, vectors_of_length
-from hfield.orders.isomorphic_orders import conjugator as by_reduced_bases
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.short_elements import expect_definite, reduced, ternary_rows
+from hfield.orders.ternary_reduction import conjugator as by_reduced_bases
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion

@@ -21,7 +21,6 @@ from flint import fmpq_mat, fmpz_mat
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal, Prime
-from hfield.orders.class_number import local_factor
 from hfield.orders.domains import domain_of
 from hfield.orders.invariants import eichler_symbol, level
 from hfield.orders.lattice_values import (
@@ -35,6 +34,7 @@ from hfield.orders.lattice_values import (
     meet,
     times_ideal,
 )
+from hfield.orders.mass_formula import local_factor
 from hfield.orders.maximal_orders import maximal_at, random_cyclic_ideal
 from hfield.orders.orders_at_primes import OrderAtPrime, independent
 

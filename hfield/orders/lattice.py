@@ -32,7 +32,6 @@ from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.orders import (
     brandt,
     certificates,
-    class_number,
     element_factors,
     equivalence,
     foreign_writing,
@@ -41,10 +40,11 @@ from hfield.orders import (
     ideal_products,
     ideals_of_norm,
     invariants,
-    isomorphisms,
+    isomorphism,
     klpt,
     labels,
     lattice_values,
+    mass_formula,
     maximal_orders,
     norm_pairs,
     pseudo_bases,
@@ -59,12 +59,12 @@ from hfield.orders import strong_approximation as solvers
 from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
-from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
+from hfield.orders.mass_formula import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.orders_modulo_integers import ResidueMatrices
 from hfield.orders.quadratic_orders import Embeddings
@@ -651,7 +651,7 @@ class Order(WithStableClasses, Certified, Lattice):
         where the element may be missing; others raise :class:`UndecidedError`. Where not every ideal of the
         field has a generator positive where an indefinite algebra ramifies, :class:`IndefiniteError`.
         """
-        return isomorphisms.isomorphism(self.value, self._order_like(other).value)
+        return isomorphism.isomorphism(self.value, self._order_like(other).value)
 
     def is_isomorphic(self, other: Lattice) -> bool:
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
@@ -994,7 +994,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
         Raises :class:`IndefiniteError`.
         """
-        return class_number.mass(self.value)
+        return mass_formula.mass(self.value)
 
     def _expect_right_ideal(self, ideal: object) -> None:
         """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""

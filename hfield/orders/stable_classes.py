@@ -1,4 +1,4 @@
-"""Local norms of orders, for the stable classes (:mod:`hfield.orders.class_number`).
+"""Local norms of orders, for the stable classes (:mod:`hfield.orders.mass_formula`).
 
 Where the Eichler symbol is 0 the units of O_P are those of R_P times 1 + J, R the integers of the base and J
 the radical: above an odd prime their norms are squares. Above 2 those of 1 + y, with y in bases of J, J², …,
@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from flint import fmpq_mat
 
 from hfield.orders.base_values import Prime, Scalar
-from hfield.orders.class_number import LocalNorms, StableClasses
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -21,6 +20,7 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
+from hfield.orders.mass_formula import LocalNorms, StableClasses
 from hfield.orders.orders_at_primes import OrderAtPrime
 
 

@@ -20,7 +20,7 @@ from hfield.errors import CoercionError, LatticeError, shorten
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction
-from hfield.orders import class_number as class_numbers
+from hfield.orders import mass_formula
 from hfield.orders.base import Base
 from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import basis_of
@@ -112,7 +112,7 @@ def class_number(algebra: Parent, level: object) -> int:
     n = positive(level, "level")
     r = basis_of(algebra)
     if r.definite:
-        return class_numbers.class_number(r.discriminant, n)
+        return mass_formula.class_number(r.discriminant, n)
     expect_coprime(n, r.discriminant)
     return 1  # strong approximation
 

@@ -24,9 +24,9 @@ from hfield.fields.number_fields.ideals import integers
 from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.whole_numbers import square_class, squarefree
 from hfield.hints import FORM, Hinted
-from hfield.orders.isomorphic_orders import reduced_bases
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import basis_modulo_numbers
+from hfield.orders.ternary_reduction import reduced_bases
 from hfield.verdicts import Verdict
 
 Triple = tuple[Quaternion, Quaternion, Quaternion]

@@ -77,7 +77,7 @@ def _default_prime(A: QuaternionAlgebra) -> str:
 
 
 def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
-    from hfield.orders.class_number import by_formula
+    from hfield.orders.mass_formula import by_formula
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)

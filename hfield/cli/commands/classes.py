@@ -87,7 +87,7 @@ def run(args: Namespace) -> int:
 def _answer(
     args: Namespace, executor: Executor | None
 ) -> tuple[OutputDocument, Callable[[], Claim]]:
-    from hfield.orders.class_number import by_formula
+    from hfield.orders.mass_formula import by_formula
 
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level, A))
