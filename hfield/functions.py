@@ -1,4 +1,4 @@
-"""Methods of elements as functions, by the names of the language; and the conjugator."""
+"""Methods of elements as functions, by the names of the language, and ``conjugator``."""
 
 from __future__ import annotations
 

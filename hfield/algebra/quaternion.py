@@ -768,7 +768,7 @@ class Quaternion(Hinted, PrintedBySympy):
                 f"{shorten(self)} is an element of {self.algebra} and {shorten(other)} one of "
                 f"{other.algebra}: only elements of one algebra can be conjugate"
             )
-        found = structure.conjugator(ring, c, q, other._single()[2])
+        found = structure.conjugacy(ring, c, q, other._single()[2])
         x = None if found.element is None else self.algebra(*found.element)
         return Verdict(found.value, found.reason, x)
 

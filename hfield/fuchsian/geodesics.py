@@ -128,7 +128,7 @@ def axis_meets(polygon: Polygon, v: Vector) -> bool:
     return any(True for _ in _met(polygon, v, -1))
 
 
-def conjugator(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
+def conjugating_unit(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
     """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``, or None where there is none."""
     if x == y:
         found: Quaternion = x.algebra(1)

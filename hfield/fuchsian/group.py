@@ -407,7 +407,7 @@ class NormOneGroup(Certified, Hinted):
         from hfield.fuchsian import geodesics
 
         element = self.order.algebra
-        return geodesics.conjugator(self._domain.polygon, element(x), element(y))
+        return geodesics.conjugating_unit(self._domain.polygon, element(x), element(y))
 
     def fundamental_unit(self, x: object) -> Quaternion:
         """Return the unit, of positive trace, that generates with −1 those of norm 1 commuting with x.

@@ -64,12 +64,16 @@ from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
-from hfield.orders.mass_formula import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.orders_modulo_integers import ResidueMatrices
 from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
-from hfield.orders.stable_classes import stable_classes
+from hfield.orders.stable_classes import (
+    ByStableClasses,
+    StableClasses,
+    WithStableClasses,
+    stable_classes,
+)
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural, positive
 from hfield.orders.validation import prime as checked_prime

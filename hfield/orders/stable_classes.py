@@ -1,4 +1,10 @@
-"""Local norms of orders, for the stable classes (:mod:`hfield.orders.mass_formula`).
+"""The stable classes of right ideals: I and J are in one where I ⊕ O ≅ J ⊕ O.
+
+In a definite order these are the classes of norms of local generators in K^×₊ \\ Â^× / N(Ô^×): narrow
+classes of ideals, and at primes a class of local units modulo norms (A. Fröhlich, *J. reine angew. Math.*
+274, 1975; D. Smertnig and J. Voight, *Trans. London Math. Soc.* 6, 2019, section 2). Squares of local units
+are norms, so the classes of local units are computed by linear algebra over GF(2). Where the Eichler symbol
+is not 0, every local unit is a norm.
 
 Where the Eichler symbol is 0 the units of O_P are those of R_P times 1 + J, R the integers of the base and J
 the radical: above an odd prime their norms are squares. Above 2 those of 1 + y, with y in bases of J, J², …,
@@ -7,7 +13,10 @@ generate the norms of 1 + J; where a power of J lies in 4P·O the norms are in 1
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from abc import abstractmethod
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
 
 from flint import fmpq_mat
 
@@ -20,8 +29,56 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
-from hfield.orders.mass_formula import LocalNorms, StableClasses
 from hfield.orders.orders_at_primes import OrderAtPrime
+
+
+@dataclass(frozen=True)
+class LocalNorms:
+    """Norms of local units at one prime: classes modulo squares are numbers of ``size`` binary digits."""
+
+    prime: Prime
+    size: int
+    square_class: Callable[[Scalar], int]
+    """The class of the unit part of a number, for a fixed uniformiser."""
+    norms: tuple[int, ...]
+    """Classes that generate those of the norms."""
+
+
+class StableClasses:
+    """The stable classes, ``number`` of them, of an order over ℤ_K with ``ideals`` narrow classes of ideals.
+
+    ``units`` generate the totally positive units modulo squares.
+    """
+
+    def __init__(self, places: Sequence[LocalNorms], units: Iterable[Scalar], ideals: int) -> None:
+        self.places = places
+        self._basis: list[int] = []  # leading digits differ, and fall
+        size = 0
+        for place in places:
+            for norm in place.norms:
+                self._add(norm << size)
+            size += place.size
+        for u in units:
+            self._add(self.reduced([u] * len(places)))
+        self.number = ideals << (size - len(self._basis))
+
+    def _add(self, vector: int) -> None:
+        vector = self._without(vector)
+        if vector:
+            self._basis = sorted([*self._basis, vector], reverse=True)
+
+    def _without(self, vector: int) -> int:
+        for b in self._basis:
+            vector = min(vector, vector ^ b)
+        return vector
+
+    def reduced(self, values: Iterable[Scalar]) -> int:
+        """Return the class of numbers, one a place, modulo the norms of local units and all units."""
+        vector = size = 0
+        for place, x in zip(self.places, values, strict=True):
+            vector |= place.square_class(x) << size
+            size += place.size
+        return self._without(vector)
 
 
 def stable_classes(order: LatticeValue) -> StableClasses:
@@ -47,3 +104,61 @@ def _norms(order: LatticeValue, P: Prime) -> Iterator[Scalar]:
         for row in power.rows.tolist():
             yield ambient.norm((fmpq_mat([row]) + one).entries())
         power = product(power, radical)
+
+
+class WithStableClasses:
+    """Stable classes, of an order."""
+
+    mass: Callable[[], Fraction]
+    unit_index: Callable[[], int]
+
+    @property
+    @abstractmethod
+    def _stable(self) -> StableClasses:
+        """The stable classes, by local norms."""
+
+    def stable_class_number(self) -> int:
+        """Return how many right ideal classes there are up to I ⊕ O ≅ J ⊕ O. Raises :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order()
+        >>> O.stable_class_number(), O.is_hermite()
+        (2, False)
+        >>> O = QuaternionAlgebra("QQ", -1, -1).order(["i", "2*j"])
+        >>> O.stable_class_number(), O.is_hermite()
+        (2, True)
+        """
+        self.mass()
+        return self._stable.number
+
+    def is_hermite(self) -> bool:
+        """Tell whether each right ideal with I ⊕ O ≅ O ⊕ O is principal: whether stably free is free.
+
+        All stable classes have the same mass, and in a Hermite order that of O is one class. Raises likewise.
+        """
+        whole = self.mass() * self.unit_index()
+        return whole.denominator == 1 and whole == self.stable_class_number()
+
+
+class ByStableClasses:
+    """Stable classes, of a class set."""
+
+    order: WithStableClasses
+    __len__: Callable[[], int]
+    _stable_class: Callable[[int], Hashable]
+
+    def stable_classes(self) -> list[int]:
+        """Return for each class of I the number of its stable class, that of all J with I ⊕ O ≅ J ⊕ O.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
+        >>> C.stable_classes(), C.has_cancellation()
+        ([0, 1, 0], False)
+        """
+        numbers: dict[Hashable, int] = {}
+        kinds = map(self._stable_class, range(len(self)))
+        return [numbers.setdefault(kind, len(numbers)) for kind in kinds]
+
+    def has_cancellation(self) -> bool:
+        """Tell whether I ⊕ O ≅ J ⊕ O only where I ≅ J, for all right ideals."""
+        return len(self) == self.order.stable_class_number()

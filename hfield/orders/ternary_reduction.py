@@ -1,64 +1,18 @@
-"""When two orders are isomorphic, with the element, and ideals that connect two orders.
+"""Reduce ternary definite forms over ℤ: all bases of a lattice that are reduced after Korkine and Zolotarev.
 
-Isomorphisms of orders are conjugations, hence isometries of the trace-0 parts of ``ℤ + 2O``; conversely such
-an isometry, times −1 if it turns the orientation, is a conjugation that maps one order onto the other
-(Voight, *Quaternion Algebras*, chapter 22). So in a definite algebra all reduced bases of
-one lattice are compared with one of the other, whatever the orders are.
-
-A basis (u, v, w) is reduced after Korkine and Zolotarev when u is a shortest vector, v is one modulo u, and
-the coefficients of what is taken off lie in (−1/2, 1/2]. There are few, and however skew the lattice is they
-are found at once, while the vectors as long as those of a basis may be too many to list.
+A basis (u, v, w) is reduced when u is a shortest vector, v is one modulo u, and the coefficients of what is
+taken off lie in (−1/2, 1/2]. There are few, and however skew the lattice is they are found at once, while
+the vectors as long as those of a basis may be too many to list.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from flint import fmpz_mat
 
-from hfield.algebra.quaternion import Quaternion
-from hfield.orders import enumeration, hermite
+from hfield.orders import enumeration
 from hfield.orders.enumeration import Gram, Vector
-from hfield.orders.lattice_values import LatticeValue
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Return x with ``x·first·x⁻¹ = second``, primitive, for definite orders over ℤ, or None and why."""
-    den, rows, gram = first.reduced_ternary
-    other_den, other_rows, other_gram = second.reduced_ternary
-    steps, form = next(reduced_bases(gram))
-    images = list(reduced_bases(other_gram))
-    least, other_least = form[0] // 2, images[0][1][0] // 2
-    if least != other_least:
-        return None, (
-            f"the least norm in the trace-0 part of ℤ + 2O is {least} for one and {other_least} for the other"
-        )
-    found = next((image for image, own in images if own == form), None)
-    if found is None:
-        return None, (
-            f"none of the {len(images)} bases of the trace-0 part of ℤ + 2O that are reduced after Korkine "
-            "and Zolotarev has the inner products that one has for the other order"
-        )
-    sources, targets = fmpz_mat(steps) * rows, fmpz_mat(found) * other_rows
-    row = _conjugating(first, sources * other_den, targets * den)
-    return first.element(row, 1), ""
-
-
-def _conjugating(order: LatticeValue, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
-    """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
-    r = order.ambient
-    s, t = hermite.tuples(sources), hermite.tuples(targets)
-    for sign in (1, -1):
-        columns = [r.right_matrix(u) - r.left_matrix(v) * sign for u, v in zip(s, t, strict=True)]
-        stacked = [x for m in columns for x in m.transpose().entries()]
-        kernel, rank = fmpz_mat(12, 4, stacked).nullspace()
-        if rank:
-            x = [int(kernel[n, 0]) for n in range(4)]
-            content = math.gcd(*x)
-            return [n // content for n in x]
-    raise AssertionError("an isometry, or its negative, is a conjugation")
-
 
 Basis = tuple[Vector, Vector, Vector]
 

@@ -5,7 +5,7 @@ import pytest
 
 from hfield.algebra.structure.elements.properties import (
     characteristic_polynomial,
-    conjugator,
+    conjugacy,
     is_idempotent,
     is_nilpotent,
     is_unit,
@@ -89,7 +89,7 @@ def test_square_roots_and_conjugators_by_exhaustion(name, a, t, b):
     for q in rng.sample(everyone, 6):
         orbit = {key(multiply(c, multiply(c, u, q), inverse(F, c, u))) for u in units}
         for p in everyone:
-            answer = conjugator(F, c, q, p)
+            answer = conjugacy(F, c, q, p)
             assert bool(answer) == (key(p) in orbit)
             if answer.element is not None:
                 x = answer.element
@@ -170,10 +170,10 @@ def test_orders(name, a, t, b, q, order):
 def test_conjugate_rational_quaternions():
     F, c = ring("QQ"), constants("QQ", -1, 0, -1)
     p, q = ((F(0), F(3), F(0), F(0)), (F(0), F(1), F(2), F(2)))
-    x = conjugator(F, c, p, q).element
+    x = conjugacy(F, c, p, q).element
     assert x is not None
     assert same(F, multiply(c, x, p), multiply(c, q, x))
-    assert "norms differ" in conjugator(F, c, p, (F(0), F(1), F(1), F(0))).reason
+    assert "norms differ" in conjugacy(F, c, p, (F(0), F(1), F(1), F(0))).reason
     assert F.is_zero(trace(c, p))
 
 
@@ -182,7 +182,7 @@ def test_what_is_not_decided():
     one = (ring("ZZ").one, *[ring("ZZ").zero] * 3)
     for question in (
         lambda: square_roots(ring("ZZ"), c, one),
-        lambda: conjugator(ring("ZZ"), c, one, one),
+        lambda: conjugacy(ring("ZZ"), c, one, one),
     ):
         with pytest.raises(UndecidedError, match="not a field"):
             question()

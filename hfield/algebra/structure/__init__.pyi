@@ -3,7 +3,7 @@ from .counting.formulas_finite import has_formulas as has_formulas
 from .counting.tally import confirm as confirm
 from .counting.tally import tally as tally
 from .elements.properties import characteristic_polynomial as characteristic_polynomial
-from .elements.properties import conjugator as conjugator
+from .elements.properties import conjugacy as conjugacy
 from .elements.properties import is_idempotent as is_idempotent
 from .elements.properties import is_nilpotent as is_nilpotent
 from .elements.properties import is_unit as is_unit

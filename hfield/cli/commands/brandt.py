@@ -77,7 +77,7 @@ def _default_prime(A: QuaternionAlgebra) -> str:
 
 
 def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
-    from hfield.orders.mass_formula import by_formula
+    from hfield.orders.mass_formula import class_number_by_formula
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)
@@ -86,7 +86,7 @@ def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
     factors = O.value.ambient.base.factorisation(n)
     is_prime = [e for _, e in factors] == [1]
     sparse = args.format == "edges" and not args.plot and is_prime
-    number = by_formula(O.value) if O.is_definite() else None
+    number = class_number_by_formula(O.value) if O.is_definite() else None
     if number is not None:
         _announce(number, sparse, args.format in ("plain", "json"))
     C = O.class_set(executor=executor, file=args.resume)

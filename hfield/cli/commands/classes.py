@@ -87,13 +87,13 @@ def run(args: Namespace) -> int:
 def _answer(
     args: Namespace, executor: Executor | None
 ) -> tuple[OutputDocument, Callable[[], Claim]]:
-    from hfield.orders.mass_formula import by_formula
+    from hfield.orders.mass_formula import class_number_by_formula
 
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level, A))
     if not O.is_definite():
         return _indefinite(args, O)
-    number = by_formula(O.value)
+    number = class_number_by_formula(O.value)
     if not args.formula:
         if number is not None:
             announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")

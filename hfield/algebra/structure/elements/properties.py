@@ -49,7 +49,7 @@ def is_unit(ring: Ring, c: Constants, q: Coordinates) -> bool:
     return ring.is_unit(norm(c, q))
 
 
-def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Verdict[Coordinates]:
+def conjugacy(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Verdict[Coordinates]:
     """Return whether there is a unit x with ``x·p = q·x``, the witness. The ring must be a field.
 
     The solutions are a linear space. The norm is a quadratic form on it, and one that vanishes on a
