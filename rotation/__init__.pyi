@@ -3,11 +3,6 @@ from .alignment import align as align
 from .alignment import align_points as align_points
 from .alignment import align_similarity as align_similarity
 from .bench.own import benchmark as benchmark
-from .conventions import change_of_axes as change_of_axes
-from .conventions import convert_points as convert_points
-from .conventions import convert_rotation as convert_rotation
-from .conventions import convert_transform as convert_transform
-from .conventions import look_at as look_at
 from .curves.angular_velocity import angular_velocity as angular_velocity
 from .curves.angular_velocity import integrate as integrate
 from .curves.cumulative import BSpline as BSpline
@@ -44,6 +39,11 @@ from .plane import reflection as reflection
 from .plane import rotate2 as rotate2
 from .pool import threads as threads
 from .precompile import warm_up as warm_up
+from .program_axes import change_of_axes as change_of_axes
+from .program_axes import convert_points as convert_points
+from .program_axes import convert_rotation as convert_rotation
+from .program_axes import convert_transform as convert_transform
+from .program_axes import look_at as look_at
 from .quaternions import T_q as T_q
 from .rigid import RigidTransform as RigidTransform
 from .rigid import sclerp as sclerp

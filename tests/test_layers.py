@@ -94,7 +94,7 @@ LAYERS = [
     {"rotation.alignment"},
     {"rotation.rigid_forms"},
     {"rotation.rigid", "rotation.swing_twist"},
-    {"rotation.conventions", "rotation.curves", "rotation.uncertain", "rotation.exact"},
+    {"rotation.program_axes", "rotation.curves", "rotation.uncertain", "rotation.exact"},
     {"rotation.compat"},
     {"rotation.precompile"},
     {"rotation.bench"},

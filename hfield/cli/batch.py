@@ -9,8 +9,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 
+from hfield.cli.answer_formats import OutputDocument
 from hfield.cli.output import Sink, encodable, open_output
-from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import UsageError, add_format
 from hfield.errors import HFieldError, shorten
 

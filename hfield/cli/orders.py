@@ -8,8 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.output import OutputError, note, open_output
-from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import (
     UsageError,
     add_factors,

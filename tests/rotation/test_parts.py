@@ -17,7 +17,7 @@ from rotation import (
     integrate,
     swing_twist,
 )
-from rotation.conventions import AXES
+from rotation.program_axes import AXES
 from tests.subcases import subcases
 
 RNG = np.random.default_rng(21)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     add_class_search,
@@ -19,7 +20,6 @@ from hfield.cli.orders import (
     unit_numbers,
 )
 from hfield.cli.output import OutputError, gone_on, try_picture
-from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.cli.status import Waiting
 from hfield.core.files import whole_file

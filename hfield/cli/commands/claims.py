@@ -7,8 +7,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.output import note
-from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import add_format, add_output, add_standalone
 from hfield.errors import shorten
 

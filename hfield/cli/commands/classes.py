@@ -8,6 +8,7 @@ from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     add_answers,
@@ -23,7 +24,6 @@ from hfield.cli.orders import (
     unit_groups,
     unit_numbers,
 )
-from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
 from hfield.cli.status import Waiting
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from hfield.cli.output_document import OutputDocument, answer_one, of_parts
+from hfield.cli.answer_formats import OutputDocument, answer_one, of_parts
 from hfield.cli.parser import add_algebra, add_format, add_output, add_standalone, algebra_of
 
 if TYPE_CHECKING:

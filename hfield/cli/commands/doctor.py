@@ -11,7 +11,7 @@ from shutil import which
 from typing import TYPE_CHECKING
 
 from hfield import __version__
-from hfield.cli.output_document import answer_one, of_parts
+from hfield.cli.answer_formats import answer_one, of_parts
 from hfield.cli.parser import add_format, add_output
 
 if TYPE_CHECKING:

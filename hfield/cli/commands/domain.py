@@ -6,9 +6,9 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import of_parts
 from hfield.cli.orders import add_algebra, algebra_of, answer_certified, level_of
 from hfield.cli.output import try_picture
-from hfield.cli.output_document import of_parts
 from hfield.cli.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
+from hfield.cli.answer_formats import OutputDocument
 from hfield.cli.batch import add_inputs, answer_all, check_given, texts
-from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_output, add_standalone
 from hfield.cli.status import Waiting
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from hfield.cli.output_document import OutputDocument, answer_one
+from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.parser import add_format, add_output
 from hfield.errors import TooLargeError
 

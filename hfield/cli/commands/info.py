@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
+from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.batch import add_inputs, answer_all
-from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import add_factors, add_output, add_standalone, given_factors
 from hfield.cli.status import Waiting
 

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.batch import add_inputs, answer_all
-from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import add_algebra, add_output, add_standalone, algebra_of
 from hfield.errors import HFieldError, NotInvertibleError, RingError, UndecidedError
 

@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import OutputDocument, answer_one, of_parts
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     add_where,
@@ -14,7 +15,6 @@ from hfield.cli.orders import (
     ideal_json,
     level_of,
 )
-from hfield.cli.output_document import OutputDocument, answer_one, of_parts
 from hfield.cli.parser import (
     UsageError,
     add_factors,

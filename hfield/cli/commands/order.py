@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
     add_algebra,
     add_answers,
@@ -17,7 +18,6 @@ from hfield.cli.orders import (
     sum_text,
     summands,
 )
-from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
 from hfield.errors import TooLargeError, UndecidedError
 

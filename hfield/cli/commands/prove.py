@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
+from hfield.cli.answer_formats import OutputDocument
 from hfield.cli.batch import add_inputs, answer_all
 from hfield.cli.output import note, open_output
-from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import UsageError, add_output, add_repeated, add_standalone, seconds
 from hfield.cli.status import Waiting
 

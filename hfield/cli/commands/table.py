@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
-from hfield.cli.output_document import OutputDocument, answer_one
+from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.parser import add_algebra, add_format, add_output, algebra_of
 
 HELP = "Print the products of the basis e, i, j, k: row times column."

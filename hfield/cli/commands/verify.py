@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from hfield.cli.answer_formats import OutputDocument
 from hfield.cli.output import note, open_output, writing
-from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_format, add_jobs, add_output, add_repeated, add_standalone
 from hfield.cli.status import Progress
 from hfield.errors import shorten

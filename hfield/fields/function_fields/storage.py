@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
-from hfield.fields.base.storage.numerators import FractionTuple, NumeratorStorage
+from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
 
 if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.function_fields.ring import FunctionField
 
 
-class FunctionStorage(NumeratorStorage):
+class FunctionStorage(CommonDenominatorStorage):
     """Elements over F(t) as four polynomials over one denominator."""
 
     relation = ("0",)

@@ -11,9 +11,9 @@ import flint
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import named
 from hfield.fields.base.roots import integral
+from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
 from hfield.fields.base.storage.compact import Compact
 from hfield.fields.base.storage.fractions import FractionStorage
-from hfield.fields.base.storage.numerators import FractionTuple, NumeratorStorage
 from hfield.fields.number_fields.elements import FieldElement
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def storage(field: NumberField, constants: Constants) -> Compact:
     return FractionStorage(field, constants, tuple(relation), vector, element)
 
 
-class IntegralPolynomials(NumeratorStorage):
+class IntegralPolynomials(CommonDenominatorStorage):
     """Elements over ℚ(s) as four polynomials in c·s, an algebraic integer, over one denominator."""
 
     relation = ("0",)

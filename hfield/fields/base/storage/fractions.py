@@ -10,8 +10,8 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import FIRST, named, parts, specialise_extension
+from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
 from hfield.fields.base.storage.compact import LARGE, function, statements
-from hfield.fields.base.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Vector = tuple[Any, ...]  # of rational numbers
 
 
-class FractionStorage(NumeratorStorage):
+class FractionStorage(CommonDenominatorStorage):
     """Elements over ℚ(s) as ints over one denominator.
 
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
@@ -30,7 +30,7 @@ class FractionStorage(NumeratorStorage):
         "    return None",
         "if d < 0:",
         "    d, d1 = -d, -d1",
-        *NumeratorStorage.inverted[2:],
+        *CommonDenominatorStorage.inverted[2:],
     ]
 
     def __init__(

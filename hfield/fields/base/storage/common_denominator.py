@@ -13,7 +13,7 @@ from hfield.fields.base.storage.compact import Compact, function, statements
 FractionTuple = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 
 
-class NumeratorStorage(Compact[FractionTuple]):
+class CommonDenominatorStorage(Compact[FractionTuple]):
     """Elements whose coordinates have a denominator in common, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
