@@ -1,4 +1,4 @@
-"""Methods of elements as functions, by the names of the language, and ``conjugator``."""
+"""Functions of quaternions for users: their methods by the names that they have in the language."""
 
 from __future__ import annotations
 

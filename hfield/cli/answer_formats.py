@@ -1,4 +1,4 @@
-"""The answer of a command, and how it is written in each format."""
+"""Write the answer of a command in the format that ``--format`` names: text, JSON, LaTeX."""
 
 from __future__ import annotations
 

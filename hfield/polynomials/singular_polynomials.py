@@ -1,8 +1,9 @@
-"""Roots of polynomials of norm 0 over M₂(F): polynomials with matrices for coefficients and determinant 0.
+"""Find and count the roots in M₂(F) of a polynomial of norm 0, by traces and norms, and by one row of it.
 
-Such a polynomial, not 0, is a column of polynomials without common factor times a row w, and q is its root
-where Σ wₙ·qⁿ = 0. Modulo x² − t·x + n the row is a + b·x; where a and b are independent, the q with b·q = −a
-and a·q = t·a + n·b is the one root of trace t and norm n.
+A polynomial with matrices for coefficients is a matrix of polynomials, and its norm is the determinant. Where
+the norm is 0 the polynomial, if not 0, is a column without common factor times a row w, and q is a root where
+Σ wₙ·qⁿ = 0. Modulo x² − t·x + n the row is a + b·x; where a and b are independent, the q with b·q = −a and
+a·q = t·a + n·b is the one root of trace t and norm n.
 """
 
 from __future__ import annotations

@@ -1,4 +1,8 @@
-"""Narrow ideal classes and totally positive units of a totally real field, by S-units seen to be all."""
+"""Decide which ideals of a totally real field have totally positive generators: its narrow ideal classes.
+
+They are products of numbers and prime ideals of a set S, and S-units of which a certificate shows that they
+are all give the relations. The signs of the units give the totally positive units modulo squares.
+"""
 
 from collections.abc import Sequence
 from itertools import product
@@ -13,7 +17,7 @@ from hfield.checker.rejection import a_list, an_integer, reject
 from hfield.checker.scalars.number_fields import Element, NumberField
 
 
-class Narrow:
+class NarrowClasses:
     """S-units with fundamental units: which products of primes in S have a totally positive generator."""
 
     def __init__(self, field: NumberField, units: object, fundamental: object) -> None:

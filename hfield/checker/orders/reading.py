@@ -24,7 +24,7 @@ from hfield.checker.number_fields.integers import (
     integer_row,
 )
 from hfield.checker.number_fields.matrices import Key, Row, is_one, lcm, normal, rational_rows, unit
-from hfield.checker.number_fields.narrow_class_groups import Narrow
+from hfield.checker.number_fields.narrow_class_groups import NarrowClasses
 from hfield.checker.number_fields.real_numbers import RealPlace
 from hfield.checker.orders import local_types, polynomial_lattices
 from hfield.checker.orders.algebra import Algebra
@@ -203,7 +203,7 @@ class OverField(Given):
         if "basis" in data:
             integers = _integers(field, data["basis"])
         else:
-            self.narrow = Narrow(field, data["units"], data["fundamental"])
+            self.narrow = NarrowClasses(field, data["units"], data["fundamental"])
             integers, self.units = self.narrow.s.integers, self.narrow.units
             self.class_number, self.unit_theorems = self.narrow.order, self.narrow.s.cites
         super().__init__(setting, integers, data)

@@ -1,4 +1,4 @@
-"""Elements as numerators over one denominator: the text of their operations."""
+"""Store elements as numerators over one denominator: what ℚ, number fields and F(t) have in common."""
 
 from __future__ import annotations
 

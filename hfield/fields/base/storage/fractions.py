@@ -1,4 +1,4 @@
-"""Elements over ℤ, ℚ and number fields as ints over one denominator, in lowest terms."""
+"""Store elements over ℤ, ℚ and number fields as integers over one denominator, in lowest terms."""
 
 from __future__ import annotations
 
