@@ -1,4 +1,4 @@
-"""Euler angles in all 24 conventions (thesis, sections 2.2.2 to 2.2.4; there it is ZYX).
+"""Convert Euler angles, in all 24 conventions, to quaternions and back (thesis, 2.2.2 to 2.2.4: ZYX).
 
 A sequence is one to three letters. Uppercase is intrinsic, about axes that turn along:
 ``ZYX = R_z(a₀)·R_y(a₁)·R_x(a₂)``. Lowercase is extrinsic, about axes that stay: ``zyx`` turns about z

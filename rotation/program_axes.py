@@ -1,6 +1,7 @@
-"""From the axes of one program to those of another: which way is forward, left and up, and which hand.
+"""Convert points and rotations between the axes of programs: ROS, Unity, Unreal, OpenGL, OpenCV, Blender.
 
-A convention is three signed axes. A change between two of opposite hands is not a rotation; what it makes
+A convention says which signed axes point forward, left and up; those of Euler angles are in
+:mod:`rotation.euler`. A change between two of opposite hands is not a rotation; what it makes
 of a rotation R still is, ``S·R·S⁻¹``, and of a rigid motion one again. The axes are those that the programs'
 own manuals state.
 """

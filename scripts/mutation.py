@@ -42,7 +42,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
                 f"hfield/checker/{name}.py"
                 for name in (
                     *("check", "clauses", "evaluate", "check_result"),
-                    *("json_text", "evidence_registry", "over_field", "statement", "values"),
+                    *("json_text", "over_field", "statement", "values"),
                 )
             ),
         ),

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from hfield.checker.budget import Budget, bounded
-from hfield.checker.evidence_registry import prove
+from hfield.checker.evidence import prove
 from hfield.checker.first_schema import current
 from hfield.checker.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
 from hfield.checker.json_text import read_json

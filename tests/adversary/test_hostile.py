@@ -14,7 +14,7 @@ import pytest
 from hfield.checker.anisotropy import KEYS
 from hfield.checker.budget import Budget, bounded
 from hfield.checker.check import check_text
-from hfield.checker.evidence_registry import checks
+from hfield.checker.evidence import checks
 from hfield.checker.orders.words import OVER_Q
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import KINDS, read_ring

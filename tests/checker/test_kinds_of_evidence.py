@@ -6,7 +6,7 @@ import pytest
 
 from hfield.checker import evidence
 from hfield.checker.evaluate import Evaluator, RingScalars
-from hfield.checker.evidence_registry import checks
+from hfield.checker.evidence import checks
 from hfield.checker.language import parse
 from hfield.checker.rejection import Rejected
 from hfield.checker.statement import HAMILTON

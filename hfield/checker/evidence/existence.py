@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from hfield.checker.check_result import CheckResult, together
-from hfield.checker.evidence_registry import prove
+from hfield.checker.evidence import prove
 from hfield.checker.glossary import FIELD, FIELDS, WITNESS
 from hfield.checker.language import Tree, parse, substitute
 from hfield.checker.rejection import (

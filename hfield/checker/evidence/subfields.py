@@ -11,8 +11,8 @@ from functools import partial
 
 from hfield.checker.budget import spend_products
 from hfield.checker.check_result import CheckResult
+from hfield.checker.evidence import Check
 from hfield.checker.evidence.witnesses import counterexample, example
-from hfield.checker.evidence_registry import Check
 from hfield.checker.rejection import a_text, an_object, reject
 from hfield.checker.scalars.completions import AtPrime
 from hfield.checker.scalars.fields import read_ring

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import expand
-from hfield.checker.evidence_registry import prove
+from hfield.checker.evidence import prove
 from hfield.checker.glossary import FIELD
 from hfield.checker.rejection import an_integer, an_object, reject
 from hfield.checker.scalars.fields import read_ring

@@ -2,7 +2,7 @@
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
-from hfield.checker.evidence_registry import prove
+from hfield.checker.evidence import prove
 from hfield.checker.language import Tree
 from hfield.checker.over_field import evaluation_context
 from hfield.checker.rejection import Rejected, an_object, reject

@@ -16,8 +16,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from hfield.checker.check_result import CheckResult, together
+from hfield.checker.evidence import establish
 from hfield.checker.evidence.unsatisfiable import need_hypotheses
-from hfield.checker.evidence_registry import establish
 from hfield.checker.glossary import (
     CIRCLE,
     CITED_BY_NAME,
