@@ -14,6 +14,8 @@ from hfield.fields.provided import provide
 
 __version__ = "0.4.0"
 
+__path__.append(f"{__path__[0]}/former_names")  # whose modules pickles name without that folder
+
 provide(REGISTRY)
 
 # The public names are said once, in the stub beside this file, and imported on first use.

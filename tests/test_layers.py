@@ -42,7 +42,6 @@ LAYERS = [
     {"hfield.fields.quadratic_forms"},
     {"hfield.fields.local"},
     {"hfield.fields"},  # the kinds of fields with places, and the names of all
-    {"hfield.rings"},  # former names
     {"hfield.algebra.structure"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
     {"hfield.presenting", "hfield.symbols"},
@@ -52,8 +51,7 @@ LAYERS = [
         "hfield.algebra.maps",
         "hfield.orders",
         "hfield.matrices",
-        "hfield.quaternion",
-        "hfield.element_text",
+        "hfield.former_names",
     },
     {"hfield.polynomials"},  # names in texts mean the same as in matrices
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it

@@ -7,7 +7,7 @@ from importlib import import_module
 
 import pytest
 
-from hfield.rings import MOVED
+from hfield.former_names.rings import MOVED
 
 
 @pytest.mark.parametrize("package", ["rotation", "anim"])

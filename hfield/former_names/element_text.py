@@ -1,4 +1,4 @@
-"""What pickles of arrays of elements name that version 0.2 wrote."""
+"""Functions that pickles of arrays of elements name, of version 0.2."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The element by the path that pickles of version 0.2 name."""
+"""The class of elements, for pickles of version 0.2."""
 
 from hfield.algebra.quaternion import Quaternion
 
