@@ -1,4 +1,4 @@
-"""Reject retired words as names of modules and identifiers, and a few of them in prose.
+"""Reject retired words as names of modules and identifiers, and a few of them in prose, tests and pages too.
 
     python -m scripts.check_names            # the faults; exit status 1 if there are any
     python -m scripts.check_names --count    # how often each word stands where
@@ -12,11 +12,13 @@ import re
 import sys
 import tokenize
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 FOLDERS = ("hfield", "rotation", "anim", "scripts", "benchmarks")
+PROSE_FOLDERS = (*FOLDERS, "tests", "docs")
+NEWS = ("new.md",)  # says what changed in the words of its version
 
 IDENTIFIERS = {
     "held": "stored",
@@ -76,19 +78,23 @@ IDENTIFIERS = {
     "carried": "from_general_proof",
     "rooms": "packages",
     "floors": "layers",
+    "room": "environment",
+    "merge": "outlines",
 }
 """Retired identifiers and names of modules, each with what to write instead."""
 PROSE = re.compile(
     r"\b(?:held|told|over_integers|handed[_ ]on|owners|is asked|rooms|floors|house)\b",
     re.IGNORECASE,
 )
-"""What comments and docstrings must not say."""
+"""What comments, docstrings and pages must not say."""
 
 
 def sources() -> Iterator[Path]:
-    """Yield the Python files of the packages."""
-    for folder in FOLDERS:
-        yield from sorted((ROOT / folder).rglob("*.py"))
+    """Yield the Python files, and the pages of the documentation."""
+    for folder in PROSE_FOLDERS:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".py", ".md") and "_build" not in path.parts and path.name not in NEWS:
+                yield path
 
 
 def names(tree: ast.AST) -> Iterator[tuple[str, int]]:
@@ -121,11 +127,16 @@ def prose(source: str, tree: ast.AST) -> Iterator[tuple[str, int]]:
 def faults(path: Path) -> Iterator[tuple[str, int]]:
     """Yield the retired words of a file, each with its line."""
     folders = path.relative_to(ROOT).parent.parts
-    yield from ((name, 1) for name in (*folders, path.stem) if name in IDENTIFIERS)
     source = path.read_text(encoding="utf-8")
-    tree = ast.parse(source)
-    yield from ((name, line) for name, line in names(tree) if name in IDENTIFIERS)
-    for text, line in prose(source, tree):
+    if path.suffix == ".md":
+        texts: Iterable[tuple[str, int]] = [(source, 1)]
+    else:
+        tree = ast.parse(source)
+        texts = prose(source, tree)
+        if folders[0] in FOLDERS:
+            yield from ((name, 1) for name in (*folders, path.stem) if name in IDENTIFIERS)
+            yield from ((name, line) for name, line in names(tree) if name in IDENTIFIERS)
+    for text, line in texts:
         for n, part in enumerate(text.splitlines()):
             yield from ((word.lower(), line + n) for word in PROSE.findall(part))
 

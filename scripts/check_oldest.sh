@@ -34,14 +34,14 @@ install() { # FOLDER: an environment for each Python there
 }
 
 test_all() { # FOLDER [all]: the tests in each environment, beside one another
-    local rooms=(tests/fields tests/algebra tests/prover tests/syntax tests/test_executors.py README.md)
+    local tests=(tests/fields tests/algebra tests/prover tests/syntax tests/test_executors.py README.md)
     local old=(tests/fields tests/algebra tests/matrices tests/polynomials tests/fuchsian tests/rotation tests/anim tests/test_batches.py README.md)
     local once=--once path name failed=0 words
-    [ "${2:-}" = all ] && rooms=() && old=() && once=
+    [ "${2:-}" = all ] && tests=() && old=() && once=
     declare -A tries
     for path in "$1"/environments/*; do
         name=${path##*/}
-        words=("${rooms[@]}")
+        words=("${tests[@]}")
         [ "$name" = oldest ] && words=("${old[@]}")
         # A library's old version may meet a newer one's warnings; ours are errors in the ordinary run.
         "$1/environments/$name/bin/python" -m pytest $once -W ignore "${words[@]}" >"$1/$name.log" 2>&1 &

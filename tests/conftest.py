@@ -1,4 +1,4 @@
-"""What tests of several rooms share."""
+"""Options, fixtures and helpers of all tests."""
 
 import doctest
 import gc

@@ -165,7 +165,7 @@ def imports_outside_the_lock(source: str) -> set[str]:
 
 
 def test_what_compiles_imports_under_the_lock_alone() -> None:
-    sources = [path for room in COMPILING for path in (ROOT / room).rglob("*.py")]
+    sources = [path for package in COMPILING for path in (ROOT / package).rglob("*.py")]
     assert len(sources) > 15
     for path in sources:
         assert not imports_outside_the_lock(path.read_text(encoding="utf-8")), path

@@ -129,7 +129,7 @@ KNOW_KINDS = {
     "hfield.orders",
     "hfield.orders.elliptic_points",
 }
-# Rooms in which no module looks into what another keeps to itself.
+# Packages in which no module uses private names of another.
 DISCREET = {"hfield.orders"}
 
 
@@ -227,9 +227,9 @@ def test_the_check_can_fail() -> None:
 
 def test_only_orders_import_kinds_of_fields() -> None:
     """Outside its folder a kind of field is known by what it can do, by data and by names."""
-    asked = {part_of(module) for module, source in sources() if kinds_known(module, source)}
-    within = {part for part in asked if part.startswith("hfield.fields")}
-    assert asked - within - {"hfield.checker"} == KNOW_KINDS
+    importers = {part_of(module) for module, source in sources() if kinds_known(module, source)}
+    within = {part for part in importers if part.startswith("hfield.fields")}
+    assert importers - within - {"hfield.checker"} == KNOW_KINDS
 
 
 @pytest.mark.slow
@@ -291,17 +291,17 @@ def test_the_checker_of_certificates_stands_alone() -> None:
 
 def looked_into(source: str) -> set[str]:
     """The private names of other objects that a module asks for and does not define itself."""
-    own, asked = set(), set()
+    own, foreign = set(), set()
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.FunctionDef):
             own.add(node.name)
         elif isinstance(node, ast.Attribute):
             of_itself = isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")
-            (own if of_itself else asked).add(node.attr)
-    return {name for name in asked - own if name.startswith("_") and not name.endswith("__")}
+            (own if of_itself else foreign).add(node.attr)
+    return {name for name in foreign - own if name.startswith("_") and not name.endswith("__")}
 
 
-def test_no_private_attribute_is_asked_of_another_module() -> None:
+def test_no_private_attribute_of_another_module_is_used() -> None:
     found = {module: looked_into(text) for module, text in sources() if part_of(module) in DISCREET}
     assert {module: names for module, names in found.items() if names} == {}
     assert looked_into("def f(x):\n    return x._rows\n") == {"_rows"}

@@ -76,7 +76,7 @@ def test_a_file_says_which_one_it_is_and_who_wrote_it(place: Path) -> None:
     assert disk_cache.kept("key") == b"machine code"
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files belong to no user here")
 @pytest.mark.parametrize("name", ["key", disk_cache.SECRET])
 def test_what_others_may_have_written_is_not_read(
     place: Path, name: str, monkeypatch: pytest.MonkeyPatch
@@ -297,14 +297,14 @@ import os, threading
 from hfield import H
 from hfield.compiling import machine_code
 
-held = threading.Event()
+loaded = threading.Event()
 def make(constants):
-    held.set()
+    loaded.set()
     threading.Event().wait(60)
 A = H("GF(7)")
 A.ring.array_storage = make
 threading.Thread(target=lambda: A.array_storage, daemon=True).start()
-held.wait()
+loaded.wait()
 child = os.fork()
 if not child:
     H("GF(5)").array_storage

@@ -80,9 +80,9 @@ ALIASES = [
 
 @pytest.mark.parametrize(("package", "kind", "name", "alias"), ALIASES)
 def test_aliases(package: str, kind: str, name: str, alias: str) -> None:
-    owner = getattr(import_module(package), kind)
-    assert getattr(owner, alias) is getattr(owner, name)
-    assert getattr(owner, name).__name__ == name
+    parent = getattr(import_module(package), kind)
+    assert getattr(parent, alias) is getattr(parent, name)
+    assert getattr(parent, name).__name__ == name
 
 
 def test_methods_functions_and_language_agree() -> None:
@@ -118,8 +118,8 @@ def vars_of(kind: type) -> set[str]:
     made = (FunctionType, classmethod, staticmethod, property, cached_property)
     return {
         name
-        for owner in ours
-        for name, value in vars(owner).items()
+        for parent in ours
+        for name, value in vars(parent).items()
         if not name.startswith("_") and isinstance(value, made)
     }
 

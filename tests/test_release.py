@@ -34,10 +34,10 @@ def test_version_and_date_are_those_of_changelog_citation_and_what_is_new():
 def test_the_version_stands_in_one_place():
     assert "version" in PROJECT["project"]["dynamic"]
     assert PROJECT["tool"]["hatch"]["version"]["path"] == "hfield/__init__.py"
-    for room in "hfield", "rotation", "anim":
-        holders = [p for p in (ROOT / room).rglob("*.py*") if p.suffix in {".py", ".pyi"}]
+    for package in "hfield", "rotation", "anim":
+        holders = [p for p in (ROOT / package).rglob("*.py*") if p.suffix in {".py", ".pyi"}]
         texts = [p.name for p in holders if f'"{hfield.__version__}"' in p.read_text("utf-8")]
-        assert texts == (["__init__.py"] if room == "hfield" else [])
+        assert texts == (["__init__.py"] if package == "hfield" else [])
 
 
 def test_what_is_new_is_read_in_a_minute():
@@ -48,8 +48,8 @@ def test_what_is_new_is_read_in_a_minute():
 def test_the_page_on_versions_has_every_schema():
     code = {
         schema
-        for room in ("hfield", "rotation", "anim")
-        for path in (ROOT / room).rglob("*.py")
+        for package in ("hfield", "rotation", "anim")
+        for path in (ROOT / package).rglob("*.py")
         for schema in re.findall(r"\"(hfield-[a-z-]+/\d)\"", path.read_text(encoding="utf-8"))
     }
     page = set(re.findall(r"`(hfield-[a-z-]+/\d)`", read("docs/releases.md")))

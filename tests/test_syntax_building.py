@@ -15,7 +15,7 @@ P, Q, S = names("p q s")
 LEAVES = st.sampled_from([P, Q, S, P[0], number(2), number(-3), number(0.5)])
 
 
-def grown(children):
+def compound(children):
     pairs = st.tuples(children, children)
     return st.one_of(
         pairs.map(lambda x: x[0] + x[1]),
@@ -29,7 +29,7 @@ def grown(children):
     )
 
 
-@given(st.recursive(LEAVES, grown, max_leaves=12))
+@given(st.recursive(LEAVES, compound, max_leaves=12))
 def test_what_operators_make_is_what_its_text_means(x: Node) -> None:
     assert parse(to_text(x)) == x
 

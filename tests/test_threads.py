@@ -21,7 +21,7 @@ SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
 NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}
 COMPILES_ALL = {"warm_up"}
 DRAWS_OR_TIMES = {"LETTER_T", "benchmark", "draw_plane", "plot"}
-# What is asked of a quaternion and computes nothing with an array.
+# Attributes of a quaternion that compute nothing with an array.
 NOT_OF_ARRAYS = {
     "algebra", "annihilator", "change_ring", "characteristic_polynomial", "conj", "conjugacy",
     "conjugator", "diff", "free_symbols", "inv", "is_batch", "is_idempotent", "is_nilpotent",

@@ -8,7 +8,7 @@ from hfield.evidence import Claim
 from hfield.verdicts import Verdict
 
 
-def asked() -> list[tuple[Verdict, bool]]:
+def cases() -> list[tuple[Verdict, bool]]:
     """Answers of all kinds, with what they should be."""
     A, K = H("QQ"), ring("QQ(sqrt(-5))")
     _, i, j, k = A.basis
@@ -24,7 +24,7 @@ def asked() -> list[tuple[Verdict, bool]]:
 
 
 def test_answers_are_verdicts() -> None:
-    for found, wanted in asked():
+    for found, wanted in cases():
         assert isinstance(found, Verdict)
         assert (found == wanted) is True
         assert bool(found) == found.value == wanted

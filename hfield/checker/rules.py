@@ -62,7 +62,7 @@ class Rules:
                 self._squares(fact, setting.field)
             elif form == "roots" and not self.roots:
                 if an_object(fact, "form by", "a fact")["by"] != setting.field.roots_by:
-                    reject(f"roots in {setting.field.name} are told by {setting.field.roots_by}")
+                    reject(f"roots in {setting.field.name} are decided by {setting.field.roots_by}")
                 self.roots = True
             else:
                 reject("a fact is of no known form, or stands there twice")

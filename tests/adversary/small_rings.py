@@ -100,10 +100,10 @@ def with_root(base: Table, polynomial: Sequence[int], name: str) -> Table:
 def divided_by(ring: Table, generators: Sequence[int], name: str) -> Table:
     """Return the ring modulo the ideal of some elements."""
     ideal = {0}
-    grown = {int(ring.times[g, x]) for g in generators for x in range(ring.order)}
-    while not grown <= ideal:
-        ideal |= grown
-        grown = {int(ring.plus[x, y]) for x in ideal for y in ideal}
+    added = {int(ring.times[g, x]) for g in generators for x in range(ring.order)}
+    while not added <= ideal:
+        ideal |= added
+        added = {int(ring.plus[x, y]) for x in ideal for y in ideal}
     of = np.array([min(int(ring.plus[x, d]) for d in ideal) for x in range(ring.order)])
     kept = sorted(set(of.tolist()))
     label = {x: n for n, x in enumerate(kept)}
@@ -163,10 +163,10 @@ def rings() -> tuple[Table, ...]:
     local.append(divided_by(other, [int(other.times[2, 4])], "Z/4[e]/(2e,e^2-2)"))
     out = [*fields, *local]
     seen = {ring.name for ring in out}
-    grown = list(out)
-    while grown:
+    added = list(out)
+    while added:
         following = []
-        for x in grown:
+        for x in added:
             for y in (*fields, *local):
                 name = " x ".join(sorted((*x.name.split(" x "), y.name)))
                 if x.order * y.order <= MAX_ORDER and name not in seen:
@@ -174,5 +174,5 @@ def rings() -> tuple[Table, ...]:
                     found = both(x, y)
                     following.append(Table(name, found.plus, found.times, found.one))
         out += following
-        grown = following
+        added = following
     return tuple(out)

@@ -137,12 +137,12 @@ def test_what_cannot_be_counted():
 
 @pytest.mark.parametrize("name", ["GF(4)", "GF(5)", "GF(9)", "ZZ/6", "ZZ/8"])
 def test_loops_and_tables_count_the_same(name, monkeypatch):
-    from hfield.algebra.structure.counting import tally as room
+    from hfield.algebra.structure.counting import tally
 
     R = ring(name)
     for c in (constants(name, -1, 0, -1), constants(name, 2, 1, 3)):
         found = []
         for many in (0, 10**9):
-            monkeypatch.setattr(room, "MIN_COMPILED", many)
+            monkeypatch.setattr(tally, "MIN_COMPILED", many)
             found.append(tally(R, c))
         assert found[0] == found[1]

@@ -62,7 +62,7 @@ MUTANTS = {
         set(),  # rotationMatrixZYX calls it, and agrees with it still
     ),
 }
-ROOMS = ("optimised", "euler_angles", "quaternion_matrix")
+MODULES = ("optimised", "euler_angles", "quaternion_matrix")
 
 
 @pytest.mark.slow
@@ -70,8 +70,8 @@ ROOMS = ("optimised", "euler_angles", "quaternion_matrix")
 def test_what_is_proved_is_the_code(line: str) -> None:
     mutant, expected = MUTANTS[line]
     red = set()
-    with spoilt_thesis(line, mutant, "anim.ledger", ROOMS) as spoilt:
-        computed = {name for room in ROOMS for name in sys.modules[f"anim.ledger.{room}"].COMPUTED}
+    with spoilt_thesis(line, mutant, "anim.ledger", MODULES) as spoilt:
+        computed = {name for module in MODULES for name in sys.modules[f"anim.ledger.{module}"].COMPUTED}
         for claim in spoilt:
             if claim.id in computed and claim.fieldless:
                 row = decide(claim, NO_FIELD)

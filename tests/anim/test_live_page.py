@@ -205,9 +205,9 @@ def test_the_link_carries_losses_the_fall_and_the_path(live: Browser) -> None:
     slide(live, "spin", 8)
     for _ in range(8):
         live.evaluate("player.simulator.advance(0.4)")
-    told = "[player.simulator.landed, player.simulator.state.y[13], player.simulator.time]"
+    numbers = "[player.simulator.landed, player.simulator.state.y[13], player.simulator.time]"
     path = "[...player.simulator.trace.slice(3 * player.simulator.traced - 3, 3 * player.simulator.traced)]"
-    before, end = live.evaluate(told), live.evaluate(path)
+    before, end = live.evaluate(numbers), live.evaluate(path)
     assert before[0] is not None
     assert before[1] > 0
     click(live, "share")
@@ -217,7 +217,7 @@ def test_the_link_carries_losses_the_fall_and_the_path(live: Browser) -> None:
     live.send("Page.navigate", url=link)
     live.wait("document.readyState === 'complete' && location.protocol === 'file:'")
     settle(live)
-    assert live.evaluate(told) == pytest.approx(before)
+    assert live.evaluate(numbers) == pytest.approx(before)
     assert live.evaluate(path) == pytest.approx(end, abs=1e-3)
     assert 20 < live.evaluate("player.simulator.traced") <= 120
     assert "fallen" in live.evaluate("document.getElementById('readings').textContent")

@@ -182,7 +182,7 @@ def test_with_friction_it_sleeps_above_the_threshold_spin_only(factor, sleeps):
 
 
 @pytest.mark.parametrize(("factor", "sleeps"), [(1.02, True), (0.97, False)])
-def test_without_friction_it_sleeps_as_if_held_at_its_centre(factor, sleeps):
+def test_without_friction_it_sleeps_as_if_fixed_at_its_centre(factor, sleeps):
     still, contact = replace(AIRLESS, tilt=1e-5), Contact(0.05, 0.0)
     n = factor * FreeTop(BODY, replace(still, spin=1.0), 1.0, contact).sleeping_spin
     states = FreeTop(BODY, replace(still, spin=n), 20.0, contact).states(np.linspace(0, 20, 501))

@@ -67,13 +67,13 @@ def test_a_picture_handed_out_is_left_alone(style):
 
 
 @pytest.mark.parametrize("style", STYLES)
-def test_background_is_what_was_asked_for(style):
+def test_background_is_the_given_one(style):
     picture = painter(MODEL, RenderSettings(SIZE, style, background="#102030")).draw(np.eye(3))
     assert tuple(picture[0, 0]) == (16, 32, 48)
 
 
 @pytest.mark.parametrize("style", STYLES)
-def test_colours_are_what_was_asked_for(style):
+def test_colours_are_the_given_ones(style):
     picture = painter(
         MODEL, RenderSettings(SIZE, style, colours=("#3060ff", "white"), tilt=0)
     ).draw(np.eye(3))
@@ -102,7 +102,7 @@ def test_edges_of_lit_pictures_are_the_shares_that_faces_cover(lean):
 
 
 @pytest.mark.parametrize("style", STYLES)
-def test_trace_is_drawn_when_asked_for(style):
+def test_trace_is_drawn_where_the_settings_say_so(style):
     bare = painter(MODEL, RenderSettings(SIZE, style)).draw(np.eye(3), spiral())
     np.testing.assert_array_equal(bare, painter(MODEL, RenderSettings(SIZE, style)).draw(np.eye(3)))
     assert not reddish(bare).any()

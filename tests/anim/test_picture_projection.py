@@ -103,7 +103,7 @@ def test_what_lies_towards_the_eye_is_seen_at_one_place(camera, seed):
 
 
 @pytest.mark.parametrize("perspective", [True, False])
-def test_classic_camera_stands_where_it_is_told(perspective):
+def test_classic_camera_stands_at_the_given_angles(perspective):
     camera = Camera(-37, 24, perspective=perspective)
     brush = painter(MODEL, RenderSettings((400, 300), "classic", camera, tilt=50))
     eye = brush.view.eye

@@ -151,7 +151,7 @@ def test_the_page_shows_four_models_or_one(capsys, tmp_path: Path) -> None:
         assert "--paper: #000080" in text
 
 
-def test_misleading_bands_are_told(capsys, tmp_path: Path) -> None:
+def test_misleading_bands_are_reported(capsys, tmp_path: Path) -> None:
     words = ("--size", "32x24", "--points", "30", "--frames", "100", "--spin", "accumulated")
     status, _, err = run(capsys, *words, "-o", tmp_path / "t")
     assert status == 0
@@ -278,7 +278,7 @@ def test_a_home_that_cannot_be_written_is_not_worth_a_word(tmp_path: Path) -> No
 
 
 @pytest.mark.slow
-def test_the_time_left_is_told_on_a_terminal(tmp_path: Path) -> None:
+def test_the_time_left_is_reported_on_a_terminal(tmp_path: Path) -> None:
     import pty
 
     ours, theirs = pty.openpty()

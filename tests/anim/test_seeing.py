@@ -47,7 +47,7 @@ def test_it_opens_with_a_title_a_sentence_and_motion_about_i(browser: Browser) -
     ]
 
 
-def test_nothing_moves_where_reduced_motion_is_asked_for(browser: Browser) -> None:
+def test_nothing_moves_where_reduced_motion_is_preferred(browser: Browser) -> None:
     still = {"name": "prefers-reduced-motion", "value": "reduce"}
     browser.send("Emulation.setEmulatedMedia", features=[still])
     browser.evaluate("seeing.old = true")

@@ -147,9 +147,9 @@ def test_attitudes_between_frames_are_those_of_a_finer_film():
     between = coarse.between(7, [-0.25, 0, 0.5, 1])
     same = np.abs(np.sum(between * fine.attitudes[[27, 28, 30, 32]], axis=1))
     assert same == pytest.approx(1, abs=1e-14)
-    # Before the beginning and after the end the motion is held.
-    held = np.abs(np.sum(coarse.between(0, [-0.5, 0])[0] * coarse.attitudes[0]))
-    assert held == pytest.approx(1, abs=1e-14)
+    # Before the beginning and after the end the attitude stays the same.
+    overlap = np.abs(np.sum(coarse.between(0, [-0.5, 0])[0] * coarse.attitudes[0]))
+    assert overlap == pytest.approx(1, abs=1e-14)
     with pytest.raises(AnimationError, match="frame is 101"):
         coarse.between(101, [0])
 

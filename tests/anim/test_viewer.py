@@ -240,7 +240,7 @@ def test_it_resizes(four: Browser) -> None:
 
 
 @needs_chromium
-def test_nothing_is_asked_of_the_network_and_nothing_complained_of(four: Browser) -> None:
+def test_the_page_makes_no_requests_and_logs_no_errors(four: Browser) -> None:
     four.key(" ")
     four.wait("Number(document.getElementById('frame').value) > 2")
     four.key(" ")

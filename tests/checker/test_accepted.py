@@ -72,7 +72,7 @@ def test_what_is_cited_stands_in_assumes(monkeypatch: pytest.MonkeyPatch) -> Non
     assert check(decided("norm(q) == 0 => q == 0", "QQ(sqrt(-7))")).assumes == ()
 
 
-def test_all_is_told_on_lines_of_its_own() -> None:
+def test_each_fact_is_printed_on_a_line_of_its_own() -> None:
     """A long statement is shown whole, and blanks in it make no lines."""
     text = "p*q == q*p" + " \n" * 150 + " or 0 == 0"
     established = check(certified(text, "QQ", "identity", {"kind": "identity"}))

@@ -10,8 +10,8 @@ from pathlib import Path
 import hfield.checker
 from tests.checker.cases import decided
 
-ROOM = Path(hfield.checker.__file__).parent
-FILES = sorted(ROOM.rglob("*.py"))
+FOLDER = Path(hfield.checker.__file__).parent
+FILES = sorted(FOLDER.rglob("*.py"))
 
 
 def imported(path: Path) -> set[str]:
@@ -36,7 +36,7 @@ def test_it_imports_nothing_else() -> None:
 
 def test_it_runs_without_the_rest_of_the_package(tmp_path: Path) -> None:
     copy = tmp_path / "hfield" / "checker"
-    shutil.copytree(ROOM, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(FOLDER, copy, ignore=shutil.ignore_patterns("__pycache__"))
     (tmp_path / "hfield" / "__init__.py").write_text("")
     data = [decided("p*q == 0 => p == 0 or q == 0", "QQ"), decided("p*q == q*p", "GF(9)")]
     (tmp_path / "data.json").write_text(json.dumps(data))

@@ -219,7 +219,7 @@ def test_bounds_of_logarithms() -> None:
     assert high - low < 1 << 40
 
 
-def test_maximal_orders_are_told() -> None:
+def test_maximal_orders_are_recognised() -> None:
     """ℤ + m·O is maximal for m = 1 alone."""
     for name in ("QQ[s]/(s^3-s^2-2*s-8)", "QQ[s]/(s^4-s^2+4)"):
         data = both(name)[0]

@@ -139,10 +139,10 @@ def test_forms_and_polynomials_without_roots() -> None:
     data = certified("s**2 == 2*y**2 => s == 0", "QQ", "implication", implication([item], [ROOTS]))
     assert check(data)
     by_squares = implication([item], [{**ROOTS, "by": "squares"}])
-    rejects({**data, "evidence": by_squares}, "told by factors")
+    rejects({**data, "evidence": by_squares}, "decided by factors")
     for field in ("GF(5)", "GF(7)", "RR", "GF(2)", "QQ(sqrt(2))", "QQ(x)"):
         moved = about_field(data, field)
-        rejects(moved, "told by squares")
+        rejects(moved, "decided by squares")
         if field in ("GF(5)", "QQ(x)"):
             assert check({**moved, "evidence": by_squares})
         else:
@@ -180,9 +180,9 @@ def test_too_many_choices_and_clauses() -> None:
     many = " or ".join(f"(s == {n} and y == {n})" for n in range(10))
     item = opposite(["s*y"], [f"s - {n}" for n in range(10)], [ends(*("0",) * 11)])
     rejects(certified(f"s*y == 0 => {many}", None, "implication", implication([item])), ".")
-    elsewhere = direct(["s"], "s", ["1"], characteristic=3)
+    other_place = direct(["s"], "s", ["1"], characteristic=3)
     rejects(
-        certified("s == 0 => s == 0 or 1 == 0", "GF(5)", "implication", implication([elsewhere])),
+        certified("s == 0 => s == 0 or 1 == 0", "GF(5)", "implication", implication([other_place])),
         "another characteristic",
     )
     unknown = opposite(["s"], ["s"], [{**ends("T1", "1"), "step": "trust"}])

@@ -62,11 +62,11 @@ def test_every_decision_speaks_in_these_words() -> None:
 
 
 def test_every_method_of_a_certificate_is_one_that_the_checker_finds() -> None:
-    room = "hfield/checker"
-    given = {m for c in calls("CheckResult", room) for m in written(c, 1, "method")}
-    given |= {m for c in calls("by", room) for m in written(c, 0, "method")}
+    folder = "hfield/checker"
+    given = {m for c in calls("CheckResult", folder) for m in written(c, 1, "method")}
+    given |= {m for c in calls("by", folder) for m in written(c, 0, "method")}
     assert given <= METHODS.keys()
-    used = {node.id for node in nodes(room) if isinstance(node, ast.Name)}
+    used = {node.id for node in nodes(folder) if isinstance(node, ast.Name)}
     constants = {name: text for name, text in vars(glossary).items() if isinstance(text, str)}
     assert {constants[name] for name in used & constants.keys()} >= METHODS.keys()
 

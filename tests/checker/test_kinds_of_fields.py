@@ -1,4 +1,4 @@
-"""Each kind of ring is one module of the checker: what it knows is asked of it, and nothing else is known."""
+"""Each kind of ring is one module of the checker: what it knows comes from there, and nothing else is known."""
 
 import pytest
 

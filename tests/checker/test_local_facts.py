@@ -378,7 +378,7 @@ def test_squares(name: str) -> None:
 
 @pytest.mark.slow
 def test_polynomials_without_rational_roots() -> None:
-    rng, told = random.Random(5), {True: 0, False: 0}
+    rng, counts = random.Random(5), {True: 0, False: 0}
     for _ in range(300):
         c = [rng.randint(-12, 12) for _ in range(rng.randint(2, 5))]
         if not c[-1]:
@@ -386,8 +386,8 @@ def test_polynomials_without_rational_roots() -> None:
         candidates = (Fraction(u, v) for u in range(-12, 13) for v in range(1, 13))
         rootless = not any(sum(a * x**n for n, a in enumerate(c)) == 0 for x in candidates)
         assert has_no_rational_root(c) == rootless, c
-        told[rootless] += 1
-    assert min(told.values()) > 50
+        counts[rootless] += 1
+    assert min(counts.values()) > 50
 
 
 def test_a_modulus_need_not_be_prime() -> None:

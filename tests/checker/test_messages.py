@@ -162,22 +162,22 @@ def place(data: Any, path: tuple[Any, ...]) -> Any:
 
 def spoilt() -> Iterator[tuple[Certificate, str]]:
     """Run through certificates with one thing wrong, and what the rejection has to begin with."""
-    for name, path, owner, entries in NAMED:
+    for name, path, parent, entries in NAMED:
         for key, said in entries.items():
             data = copy.deepcopy(BASE[name])
             place(data, path)[key] = 2.5
             yield data, said
-        if owner:
+        if parent:
             for key in place(BASE[name], path):
-                if key in ("kind", "step", "form") or (key, owner) == ("schema", "a certificate"):
+                if key in ("kind", "step", "form") or (key, parent) == ("schema", "a certificate"):
                     continue
                 data = copy.deepcopy(BASE[name])
                 del place(data, path)[key]
-                if key not in ("by", "member", "positive") or owner == "a certificate":
-                    yield data, f"{owner} lacks the key {key!r}"
+                if key not in ("by", "member", "positive") or parent == "a certificate":
+                    yield data, f"{parent} lacks the key {key!r}"
             data = copy.deepcopy(BASE[name])
             place(data, path)["more"] = 1
-            yield data, f"{owner} has an unknown key 'more'"
+            yield data, f"{parent} has an unknown key 'more'"
 
 
 @subcases("n", range(len(list(spoilt()))))

@@ -191,7 +191,7 @@ def test_constants_that_are_not_known() -> None:
 
 
 def test_a_certificate_rests_on_its_reason() -> None:
-    """Where the norm is asked for, the reason is that of the algebra it is asked for."""
+    """The reason names the algebra of which the norm is evaluated."""
     norm = {"step": "norm", "terms": [f"q[{n}]" for n in range(4)], "cofactors": ["1", "0"]}
     items = [
         {

@@ -102,10 +102,10 @@ def test_enumerations_that_are_not_exhausted() -> None:
     # in an indefinite algebra nothing is exhausted
     M = QuaternionAlgebra("QQ", 1, 5).maximal_order()
     N = M.ideals_of_norm(7)[0]
-    told = N.is_principal().certificate
-    assert told is not None
+    certificate = N.is_principal().certificate
+    assert certificate is not None
     for evidence in ({"kind": "equivalent"}, {"kind": "equivalent", "between": rows}):
-        rejects({**told, "verdict": "refuted", "evidence": evidence, "method": "enumeration"})
+        rejects({**certificate, "verdict": "refuted", "evidence": evidence, "method": "enumeration"})
 
 
 def test_a_bad_basis_costs_work_and_not_truth() -> None:

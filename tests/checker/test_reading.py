@@ -107,15 +107,15 @@ GRAMMAR = {
 }
 
 
-def grown(symbol: str, rng: random.Random, depth: int) -> str:
+def expanded(symbol: str, rng: random.Random, depth: int) -> str:
     rule = GRAMMAR[symbol][0] if depth > 7 else rng.choice(GRAMMAR[symbol])
-    return "".join(grown(c, rng, depth + 1) if c in GRAMMAR else c for c in rule)
+    return "".join(expanded(c, rng, depth + 1) if c in GRAMMAR else c for c in rule)
 
 
 def test_sentences_of_the_grammar_are_read_alike() -> None:
     rng = random.Random(12)
     for _ in range(cases(4_000)):
-        text = grown("S", rng, 0)
+        text = expanded("S", rng, 0)
         ours, theirs = read_by_both(text)
         assert ours == theirs, text
         assert ours is not None or ")[2]" in text, text

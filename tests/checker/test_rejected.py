@@ -148,7 +148,7 @@ def test_polynomials_in_a_root_of_unity_read_as_the_ring_that_it_generates(
 
 
 @pytest.mark.parametrize(
-    ("ring", "told"),
+    ("ring", "description"),
     [
         (polynomials({"kind": "integers"}, "sqrt2"), "ZZ[sqrt2], the polynomials in sqrt2 over ℤ"),
         (
@@ -157,8 +157,8 @@ def test_polynomials_in_a_root_of_unity_read_as_the_ring_that_it_generates(
         ),
     ],
 )
-def test_what_the_rings_are_that_a_statement_names_is_told(ring: Data, told: str) -> None:
-    name, variable = told.split(",")[0], ring["variables"][0]
+def test_the_ring_that_a_statement_names_is_described(ring: Data, description: str) -> None:
+    name, variable = description.split(",")[0], ring["variables"][0]
     evidence = {"kind": "witness", "ring": ring, "values": {}}
     said = f"over{{{name}; {variable}**10 == {variable}**5}}"
     for statement, part in ((said, evidence), (f"every{{{said}; 1 == 1}}", None)):
@@ -166,7 +166,7 @@ def test_what_the_rings_are_that_a_statement_names_is_told(ring: Data, told: str
         wrapped = {"kind": "rings", "rings": [ring], "evidence": shown}
         nowhere = with_(field=None, ring=None, algebra="(-1,-1|F)", verdict="refuted")
         found = check({**nowhere, "statement": statement, "evidence": wrapped})
-        assert f"names the ring: {told}" in found.lines()
+        assert f"names the ring: {description}" in found.lines()
 
 
 def test_a_witness_must_refute() -> None:

@@ -64,10 +64,10 @@ def test_units() -> None:
     assert [integers.inverse(Fraction(n)) for n in (-2, -1, 0, 1, 2)] == [None, -1, None, 1, None]
     assert rationals.inverse(Fraction(-2)) == Fraction(-1, 2)
     assert rationals.inverse(Fraction(0)) is None
-    polynomials, over_integers = read_field("QQ[x]"), read_field("ZZ[x,y]")
+    polynomials, integral = read_field("QQ[x]"), read_field("ZZ[x,y]")
     assert polynomials.inverse(polynomials.read("2")) == polynomials.read("1/2")
-    assert over_integers.inverse(over_integers.read("-1")) == over_integers.read("-1")
-    for ring, text in ((polynomials, "x"), (polynomials, "x + 1"), (over_integers, "2")):
+    assert integral.inverse(integral.read("-1")) == integral.read("-1")
+    for ring, text in ((polynomials, "x"), (polynomials, "x + 1"), (integral, "2")):
         assert ring.inverse(ring.read(text)) is None
     assert polynomials.inverse(polynomials.zero) is None
     assert polynomials.characteristic == 0
@@ -224,7 +224,7 @@ def test_levels() -> None:
         assert all(read_field(name).level_above(n) for n in (0, 1, 4, 1000))
 
 
-def grown(name: str, text: str) -> None:
+def square_often(name: str, text: str) -> None:
     field = read_field(name)
     x = field.read(text)
     with bounded(Budget(20)):
@@ -237,7 +237,7 @@ def grown(name: str, text: str) -> None:
 )
 def test_numbers_do_not_grow_without_end(name: str, text: str) -> None:
     with pytest.raises(Rejected):
-        grown(name, text)
+        square_often(name, text)
 
 
 @subcases(

@@ -132,9 +132,9 @@ def test_a_file_of_many_is_checked_line_by_line(
     many.write_text(f"{json.dumps(one)}\n\n{json.dumps(two)}\n", encoding="utf-8")
     capsys.readouterr()
     assert main(["check", str(many)]) == 0
-    told = capsys.readouterr().out
-    assert f"{many}:1: refuted over GF(9)" in told
-    assert f"{many}:3: proved over QQ" in told
+    output = capsys.readouterr().out
+    assert f"{many}:1: refuted over GF(9)" in output
+    assert f"{many}:3: proved over QQ" in output
     with many.open("a", encoding="utf-8") as stream:
         stream.write(json.dumps(two | {"verdict": "refuted"}) + "\n")
     assert main(["check", str(many), "--format", "csv"]) == 1
@@ -175,7 +175,7 @@ def test_an_unknown_of_a_pin_is_no_element_of_the_field(
     assert "over QQ(x), rational functions in x over ℚ" in capsys.readouterr().err
 
 
-def test_a_claim_without_a_field_says_where_that_is_told(
+def test_a_claim_without_a_field_says_which_lines_name_one(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     directory = tmp_path / "certificates"
@@ -183,6 +183,6 @@ def test_a_claim_without_a_field_says_where_that_is_told(
     (path,) = map(str, directory.iterdir())
     capsys.readouterr()
     assert main(["check", "--claim", "C1-a", path]) == 0
-    told = capsys.readouterr()
-    assert "claim C1-a over any field: each certificate says below over which" in told.err
-    assert "  field: GF(4), the field with 4 elements, x a root of x^2+x+1" in told.out
+    output = capsys.readouterr()
+    assert "claim C1-a over any field: each certificate says below over which" in output.err
+    assert "  field: GF(4), the field with 4 elements, x a root of x^2+x+1" in output.out

@@ -125,7 +125,7 @@ def test_bad_input(capsys, words, hint):
 @pytest.mark.parametrize(
     ("command", "shift"), [("order", 3), ("classes --formula", 5), ("ideal", 7), ("brandt", 9)]
 )
-def test_primes_that_nobody_finds_are_asked_for_and_taken(capsys, command, shift):
+def test_primes_that_nobody_finds_are_required_and_used(capsys, command, shift):
     """Primes of its own for each, as those of an algebra are remembered."""
     p, q = (
         next(n for n in range(x, x + 9999, 2) if is_prime(n))

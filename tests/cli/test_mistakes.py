@@ -1,4 +1,4 @@
-"""Mistakes that people make: each is told what was wrong, what was expected, and what to write."""
+"""Mistakes that people make: each message says what was wrong, what was expected, and what to write."""
 
 import shlex
 

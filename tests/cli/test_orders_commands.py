@@ -249,7 +249,7 @@ def test_edges_are_the_entries_of_the_matrix(capsys, level, prime):
 
 
 def test_certificates(capsys, tmp_path):
-    """What is written is accepted by ``hfield check``; what cannot be is told."""
+    """What is written is accepted by ``hfield check``; what cannot be is reported."""
     for words, said in (
         (["order", "(-1,-11|QQ)"], "; 11; maximal}"),
         (["order", "(2,3|QQ)", "--level", "5"], "; 30}"),

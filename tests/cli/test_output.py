@@ -145,7 +145,7 @@ def test_progress_only_on_a_terminal(monkeypatch):
         assert stream.getvalue().endswith("\r\x1b[K") is terminal
 
 
-def test_names_of_files_that_are_no_text_are_told(tmp_path, capsys):
+def test_names_of_files_that_are_no_text_are_reported(tmp_path, capsys):
     path = tmp_path / "\udcff.v"
     status, out, err = run(capsys, "export", "--coq", str(path), "--claim", "C1.1.2-b")
     assert (status, err) == (0, "")

@@ -1,4 +1,4 @@
-"""Completion, the doctor, searching for claims, and pages of a width that is asked for."""
+"""Completion, the doctor, searching for claims, and pages of a given width."""
 
 import json
 import re
@@ -73,10 +73,10 @@ def test_bash_completes(tmp_path):
 def test_fish_offers_files_only_where_nothing_else_is_known(tmp_path, typed, offered):
     if which("fish") is None or which("hfield") is None:
         pytest.skip("fish or hfield is not on the path")
-    asked = f"{SCRIPTS['fish']}\ncomplete -C 'hfield {typed}'"
+    script = f"{SCRIPTS['fish']}\ncomplete -C 'hfield {typed}'"
     (tmp_path / "file").touch()
     said = subprocess.run(
-        ["fish"], input=asked, text=True, capture_output=True, timeout=60, cwd=tmp_path
+        ["fish"], input=script, text=True, capture_output=True, timeout=60, cwd=tmp_path
     )
     words = said.stdout.split()
     assert offered in words
@@ -143,7 +143,7 @@ PAGES = [
 
 
 @pytest.mark.parametrize("words", PAGES, ids=" ".join)
-def test_a_page_has_the_width_that_is_asked_for(capsys, monkeypatch, words):
+def test_a_page_has_the_given_width(capsys, monkeypatch, words):
     monkeypatch.setenv("COLUMNS", "60")
     assert main(words) in (0, 1)
     assert [line for line in capsys.readouterr().out.splitlines() if len(line) > 60] == []

@@ -37,8 +37,8 @@ import sys
 from pathlib import Path
 from hfield.cli import main
 status = main(["verify", "--format", "json"])
-if (told := Path("/proc/self/status")).exists():
-    lines = told.read_text().splitlines()
+if (memory := Path("/proc/self/status")).exists():
+    lines = memory.read_text().splitlines()
     print(next(line.split()[1] for line in lines if line.startswith("VmHWM")), file=sys.stderr)
 sys.exit(status)
 """

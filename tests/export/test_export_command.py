@@ -30,7 +30,7 @@ def test_a_claim_and_a_statement(run, tmp_path):
     assert "C1.1.2-c: centre, centre_in_char_2" in text
 
 
-def test_what_is_not_exported_is_told(run, tmp_path):
+def test_what_is_not_exported_is_reported(run, tmp_path):
     file = str(tmp_path / "out.v")
     status, out, err = run("--coq", file, "--claim", "table", "--statement", "p*q == q*p")
     assert status == 1

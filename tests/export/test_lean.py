@@ -1,4 +1,4 @@
-"""``hfield export --lean``: what is written for Lean 4. Lean itself is asked by scripts/check_lean.sh."""
+"""``hfield export --lean``: what is written for Lean 4. scripts/check_lean.sh runs Lean itself."""
 
 import pytest
 

@@ -120,7 +120,7 @@ def test_time_and_what_was_started_end(coqc, check, tmp_path):
 @pytest.mark.skipif(
     sys.platform != "linux", reason="only Linux ends the children of what was killed"
 )
-def test_coqc_ends_with_who_asked(coqc, check, tmp_path):
+def test_coqc_ends_with_its_parent(coqc, check, tmp_path):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     code = "import time; print('begun', flush=True); time.sleep(20); print('alive')"
@@ -183,7 +183,7 @@ def test_one_that_is_killed_does_not_judge_the_others(coqc, check, tmp_path):
 
 
 @pytest.mark.slow
-def test_what_was_checked_is_what_coq_is_asked(coqc, check, tmp_path, monkeypatch):
+def test_coq_checks_the_certificate_that_was_accepted(coqc, check, tmp_path, monkeypatch):
     """Also of a file that has changed since, whose name may stand for two texts, and of one of many."""
     coqc(f"said \"$(grep -c '~ (' Judged.v)\" '{CLOSED}'")
     one, two = (json.dumps(prove(s, "QQ").certificate) for s in ("e*q == q", "p*q == q*p"))
@@ -204,7 +204,7 @@ def test_what_was_checked_is_what_coq_is_asked(coqc, check, tmp_path, monkeypatc
     assert [r["coq"]["proposition"] for r in results] == ["0", "1", "1", "0"]
 
 
-def test_coq_is_not_asked_about_what_is_rejected(coqc, check, tmp_path):
+def test_coq_does_not_run_on_rejected_certificates(coqc, check, tmp_path):
     coqc("").unlink()
     bad = tmp_path / "bad.json"
     bad.write_text("{}", encoding="utf-8")

@@ -374,7 +374,7 @@ def test_threads_share_long_arrays(name, number, count, monkeypatch):
     assert all((x == y).all() for x, y in zip(alone, shared, strict=True))
 
 
-# --- what is asked of arrays alone ----------------------------------------------------------
+# --- methods of arrays alone ----------------------------------------------------------------
 
 
 @subcases("name", ["GF(7)", "GF(2^64)", "QQ", "ZZ", "QQ(sqrt(2))", "RDF"])

@@ -49,7 +49,7 @@ def drawn(name, count=4):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_elements_held_as_they_are(name: str) -> None:
+def test_storage_of_elements_over_any_ring(name: str) -> None:
     R, constants, elements = drawn(name)
     stored = Storage(R, constants)
     zero = (R.zero,) * 4
@@ -85,7 +85,7 @@ def test_elements_held_as_they_are(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_arrays_held_as_they_are(name: str) -> None:
+def test_storage_of_arrays_over_any_ring(name: str) -> None:
     R, constants, elements = drawn(name)
     stored, one = Batch(R, constants), Storage(R, constants)
     columns = [[p[n] for p in elements] for n in range(4)]
@@ -274,7 +274,7 @@ def test_nothing_that_a_caller_holds_changes_an_element(name: str) -> None:
 def test_arrays_of_integers_are_copied(
     name: str, size: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(memory, "POOLED_BYTES", 1000)  # where memory is handed on
+    monkeypatch.setattr(memory, "POOLED_BYTES", 1000)  # from which size buffers are reused
     A = H(name)
     p = A(np.arange(size) % 5, 1, 2, 0)
     for q in (p, p * p):

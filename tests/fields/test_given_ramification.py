@@ -22,7 +22,7 @@ from hfield.errors import RingError
         ("GF(101)(t)", ["t^2+2", "inf"]),
     ],
 )
-def test_an_algebra_ramifies_where_it_was_asked_to(field: str, places: list[str]) -> None:
+def test_an_algebra_ramifies_at_the_given_places(field: str, places: list[str]) -> None:
     found = QuaternionAlgebra.from_ramification(field, places)
     assert sorted(map(str, found.ramified_places())) == sorted(places)
 

@@ -99,7 +99,7 @@ def test_roots_are_as_near_as_they_say(name):
     assert seen
 
 
-def test_what_is_known_is_told_from_what_is_not():
+def test_known_digits_are_distinguished_from_unknown_ones():
     F = ring("Qp(5)")
     x, y = F("2 + O(5^4)"), F("2 + O(5^2)")
     assert x == F("627 + O(5^4)")

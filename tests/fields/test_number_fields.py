@@ -125,7 +125,7 @@ def test_norm_trace_and_values_are_those_of_the_conjugates(name: str) -> None:
 
 
 @subcases("name", [*SPELLED, "QQ[s]/(s^3-2)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^6+3*s+3)"])
-def test_square_roots_are_found_and_told_apart(name: str) -> None:
+def test_square_roots_are_found_and_distinguished(name: str) -> None:
     K, rng = ring(name), Random(1)
     for _ in range(6):
         x = K.random(rng)

@@ -157,7 +157,7 @@ def test_what_is_no_number(text):
             F(text)
 
 
-def test_transcendental_numbers_enter_where_they_can_be_told_from_zero():
+def test_transcendental_numbers_enter_where_they_can_be_compared_with_zero():
     assert RR.is_zero(RR("sin(1)^2+cos(1)^2-1"))
     assert RR.is_zero(RR("log(6)-log(2)-log(3)"))
     assert RR("exp(log(2))") == 2

@@ -314,7 +314,7 @@ def test_explain_product(capsys) -> None:
         ),
     ],
 )
-def test_multiples_and_inverses_are_held_as_products_are(name) -> None:
+def test_multiples_and_inverses_are_stored_as_products_are(name) -> None:
     F, rng = ring(name), Random(5)
     A = QuaternionAlgebra(F, -1, F.random(rng) + F(7))
     for _ in range(5):

@@ -1,4 +1,4 @@
-"""Colours of paired sides are told apart by all eyes; letters say which unit lies beyond a side."""
+"""All eyes distinguish the colours of paired sides; letters say which unit lies beyond a side."""
 
 from functools import cache
 from itertools import combinations
@@ -99,7 +99,7 @@ def test_the_difference_of_colours_is_that_of_the_standard(one, other, expected)
 
 @pytest.mark.parametrize("eyes", EYES)
 @pytest.mark.parametrize("pairs", [LIGHT_PAIRS, DARK_PAIRS], ids=["light", "dark"])
-def test_ten_pairs_are_told_apart(pairs, eyes) -> None:
+def test_ten_pairs_are_distinguished(pairs, eyes) -> None:
     assert len(set(pairs)) == 10
     seen = [lab(EYES[eyes] @ linear(color)) for color in pairs]
     assert min(difference(one, other) for one, other in combinations(seen, 2)) >= 15

@@ -12,13 +12,13 @@ from rotation import thesis
 
 @contextmanager
 def spoilt_thesis(
-    line: str, mutant: str, package: str, rooms: Sequence[str]
+    line: str, mutant: str, package: str, modules: Sequence[str]
 ) -> Iterator[tuple[Claim, ...]]:
-    """Yield a package's claims as its ``rooms`` read the functions then; afterwards all is as before."""
+    """Yield a package's claims as its ``modules`` read the functions then; afterwards all is as before."""
 
     def reread() -> None:
-        for room in rooms:
-            importlib.reload(sys.modules[f"{package}.{room}"])
+        for module in modules:
+            importlib.reload(sys.modules[f"{package}.{module}"])
         importlib.reload(sys.modules[package])
 
     source = inspect.getsource(thesis)

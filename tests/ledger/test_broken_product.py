@@ -16,7 +16,7 @@ CHECKABLE = [claim for claim in CHAPTER if claim.checkable]
 
 
 def test_a_broken_product_turns_rows_red(monkeypatch: Any) -> None:
-    """With i·j = −k the prover, the structure room and the witnesses disagree with the thesis."""
+    """With i·j = −k the prover, the structure package and the witnesses disagree with the thesis."""
     true = product.multiply
 
     def wrong(c: Any, p: Any, q: Any) -> Any:

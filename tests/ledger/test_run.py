@@ -19,11 +19,11 @@ class Fake:
 
     text: str = "p == p"
     false: tuple[str, ...] = ()
-    asked: list[str] = field(default_factory=list, hash=False, compare=False)
+    calls: list[str] = field(default_factory=list, hash=False, compare=False)
 
     def decide(self, ring):
         name = ring.name if ring else "universal"
-        self.asked.append(name)
+        self.calls.append(name)
         return Decision("refuted" if name in self.false else "proved", "fake", scope="fields")
 
 
@@ -35,20 +35,20 @@ def claim(number, proposition, corrected=None):
 
 @pytest.fixture
 def ledger(monkeypatch):
-    asked = []
+    calls = []
     claims = {
-        f"C1-{letter}": claim(f"C1-{letter}", Fake(false=("GF(3)",), asked=asked), Fake("q == q"))
+        f"C1-{letter}": claim(f"C1-{letter}", Fake(false=("GF(3)",), calls=calls), Fake("q == q"))
         for letter in "abcdefghijklmnopqrst"
     }
     monkeypatch.setattr(run, "find", claims.__getitem__)
-    return claims, asked
+    return claims, calls
 
 
 FIELDS = ("QQ", "GF(3)", "universal")
 
 
 @pytest.mark.parametrize("make", [InProcess, lambda: ThreadPoolExecutor(3)])
-def test_rows_come_in_the_order_asked_for(ledger, make):
+def test_rows_come_in_the_given_order(ledger, make):
     claims, _ = ledger
     pieces = [(c, f) for c in claims.values() for f in FIELDS]
     with make() as executor:
@@ -60,9 +60,9 @@ def test_rows_come_in_the_order_asked_for(ledger, make):
 
 
 def test_a_claim_goes_through_its_fields_before_the_next(ledger):
-    claims, asked = ledger
+    claims, calls = ledger
     decide_rows([(c, f) for c in claims.values() for f in FIELDS], InProcess())
-    assert asked == [f for _ in claims for f in FIELDS]
+    assert calls == [f for _ in claims for f in FIELDS]
 
 
 def test_what_computes_without_a_field_goes_first(ledger):

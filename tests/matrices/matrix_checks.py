@@ -1,4 +1,4 @@
-"""Random matrices, held against the regular representation over the prime field, by flint."""
+"""Random matrices, compared with the regular representation over the prime field, by flint."""
 
 import flint
 

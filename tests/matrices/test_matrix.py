@@ -157,9 +157,9 @@ def test_arrays_as_entries():
     assert stacked(many) @ stacked(other) == stacked(
         [M @ N for M, N in zip(many, other, strict=True)]
     )
-    for asked in ("rank", "inverse", "right_kernel", "left_kernel", "echelon_form"):
+    for method in ("rank", "inverse", "right_kernel", "left_kernel", "echelon_form"):
         with pytest.raises(CoercionError, match="single quaternions"):
-            getattr(stacked(many), asked)()
+            getattr(stacked(many), method)()
 
 
 def test_elements_multiply_on_their_side():

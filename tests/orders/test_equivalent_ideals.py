@@ -191,7 +191,7 @@ def test_what_is_refused_with_the_reason() -> None:
         algebra(P).extremal_order().random_ideal(101, seed=1).equivalent_of_norm_dividing(2**300)
 
 
-def test_divisors_come_in_order_and_close_to_what_is_asked() -> None:
+def test_divisors_come_in_order_and_close_to_the_bound() -> None:
     D = Divisors(((2, 3), (3, 2), (5, 1)))
     assert [*D.ascending()] == [n for n in range(1, 361) if 360 % n == 0]
     rng = Random(1)

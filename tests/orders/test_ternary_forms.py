@@ -62,7 +62,7 @@ def test_the_products_multiply_as_in_the_clifford_algebra(field: str) -> None:
 
 
 def test_all_definite_forms_of_small_discriminant() -> None:
-    """One from each class, told apart by PARI, in as many genera as there are; orders agree."""
+    """One from each class, as PARI distinguishes them, in as many genera as there are; orders agree."""
     for disc in (2, 3, 5, 11, 16, 23, 30):
         forms = all_forms(disc)
         keys = {f.reduced() for f in forms}

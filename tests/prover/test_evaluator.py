@@ -110,13 +110,13 @@ def test_over_tables(field: str) -> None:
 
 
 def test_memories_are_apart() -> None:
-    """A problem remembers in its own memory, if it has one, and forgets when it is told to."""
+    """A problem remembers in its own memory, if it has one, and forgets on demand."""
     memory = Memory()
-    asked = []
+    calls = []
     for _ in range(2):
-        memory.recall("kind", "key", lambda: asked.append(1), lambda: True)
-    assert asked == [1]
+        memory.recall("kind", "key", lambda: calls.append(1), lambda: True)
+    assert calls == [1]
     memory.cache_clear()
-    memory.recall("kind", "key", lambda: asked.append(2), lambda: False)
-    memory.recall("kind", "key", lambda: asked.append(3), lambda: True)
-    assert asked == [1, 2, 3]
+    memory.recall("kind", "key", lambda: calls.append(2), lambda: False)
+    memory.recall("kind", "key", lambda: calls.append(3), lambda: True)
+    assert calls == [1, 2, 3]

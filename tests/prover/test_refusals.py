@@ -65,6 +65,6 @@ def test_no_method_stops_the_next(monkeypatch, module, name, error):
         assert prove(statement, field).verdict == verdict, (statement, field)
 
 
-def test_every_reason_is_told_where_nothing_decides():
+def test_every_reason_is_reported_where_nothing_decides():
     tried = prove("x == 1+O(5) => x == 1+O(5^2)", "Qp(5)").decision.tried
     assert len(tried) == len(set(tried)) > 1

@@ -23,9 +23,9 @@ def tests_made(monkeypatch: pytest.MonkeyPatch) -> list[object]:
 
 
 def test_no_place_is_tried_twice(tests_made: list[object]) -> None:
-    asked = problem("p*conj(p) == norm(p)")
+    statement = problem("p*conj(p) == norm(p)")
     for limit in (5, 40, 40, 20, 170):
-        assert prime_search(asked, 0, limit) is None
+        assert prime_search(statement, 0, limit) is None
     assert len(tests_made) == 170
 
 

@@ -18,8 +18,8 @@ from tests.subcases import subcases
 
 SOURCES = "\n".join(
     path.read_text(encoding="utf-8")
-    for room in ("prover", "ledger")
-    for path in (Path(hfield.__file__).parent / room).rglob("*.py")
+    for package in ("prover", "ledger")
+    for path in (Path(hfield.__file__).parent / package).rglob("*.py")
 )
 
 
@@ -29,9 +29,9 @@ def slots(sentence: str) -> set[str]:
 
 @subcases("name", sentences())
 def test_a_sentence_is_there_in_every_language_with_the_same_slots(name):
-    told = sentences()[name]
-    assert told.keys() == {"en", "pl"}
-    assert all(slots(text) == slots(told["en"]) and text.strip() for text in told.values())
+    translations = sentences()[name]
+    assert translations.keys() == {"en", "pl"}
+    assert all(slots(text) == slots(translations["en"]) and text.strip() for text in translations.values())
 
 
 def test_every_sentence_that_is_said_is_in_the_table():

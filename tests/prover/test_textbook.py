@@ -72,7 +72,7 @@ def test_places_that_are_not_small(statement, field):
 
 
 @pytest.mark.parametrize(("statement", "field"), CONSTANTS)
-def test_constants_of_the_field_are_told_apart(statement, field):
+def test_constants_of_the_field_are_distinguished(statement, field):
     assert decide(statement, field).verdict == "proved"
 
 

@@ -320,8 +320,8 @@ def judge(name, seed, timeout=2.0):
     ]
     constants = rng.choice(own), rng.choice(own)
     a, b = (written(x, texts) for x in constants)
-    asked = written(statement, texts), f"({a},{b}|{name})"
-    found = prove(asked[0], algebra=asked[1], timeout=timeout)
+    question = written(statement, texts), f"({a},{b}|{name})"
+    found = prove(question[0], algebra=question[1], timeout=timeout)
     K, truths = numbers.K, []
     for _ in range(30):
         chosen = {key: numbers.number(key) for key in keys}
@@ -335,18 +335,18 @@ def judge(name, seed, timeout=2.0):
             values = {name: tuple(map(K, x)) for name, x in found.witness.items()}
             places = [{name: x if len(x) == 4 else x[0] for name, x in values.items()}]
         truths.append([World(K, exact, constants, place).truth(statement) for place in places])
-    return asked, found, truths
+    return question, found, truths
 
 
 @pytest.mark.parametrize("name", first_quick(FIELDS, 3))
 def test_random_statements_are_decided_as_for_all_numbers_with_these_digits(name):
     seen = set()
     for seed in range(cases(100)):
-        asked, found, truths = judge(name, seed)
+        question, found, truths = judge(name, seed)
         seen.add(found.verdict)
-        assert found.certificate is None or "O(" not in "".join(asked), asked
+        assert found.certificate is None or "O(" not in "".join(question), question
         if found.verdict in (PROVED, "vacuous"):
-            assert all(map(all, truths)), asked
+            assert all(map(all, truths)), question
         if found.verdict == REFUTED:
-            assert not any(map(all, truths)), asked
+            assert not any(map(all, truths)), question
     assert {PROVED, REFUTED} <= seen

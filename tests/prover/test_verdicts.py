@@ -71,7 +71,7 @@ def test_false_statements_are_refuted_over_fields_of_odd_characteristic():
 
 
 @subcases("statement", DEPENDS)
-def test_what_depends_on_the_field_is_told_apart(statement):
+def test_statements_that_depend_on_the_field_are_distinguished(statement):
     for field in FIELD_NAMES:
         decision = decide(statement, field)
         expected = field in DEPENDS[statement]

@@ -72,10 +72,10 @@ def test_the_player_speaks_polish():
     page = Top().page()
     assert [text for text in PLAYER["pl"] if page.count(text) != 1] == []
     body = unescape(re.search('srcdoc="([^"]*)"', top("pl").body)[1])
-    told = re.findall(
+    groups = re.findall(
         r'(?:aria-label|title)="([^"]*)"|<(?:dd|dt|title|label)>([^<]*)<|say\("([^"]*)"', body
     )
-    met = {text.strip() for found in told for text in found if len(text.strip()) > 2}
+    met = {text.strip() for found in groups for text in found if len(text.strip()) > 2}
     ours = " ".join(PLAYER["pl"].values())
     assert len(met) > 15
     worded = {text for text in met if re.search("[a-z]{3}", text)}

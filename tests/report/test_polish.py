@@ -76,8 +76,8 @@ def test_texts_name_claims_that_there_are():
     translation = Translation(claims(), "pl")
     known = {claim.id: claim for claim in claims()}
     assert translation._by_claim.keys() == known.keys()
-    for key, told in translation._by_claim.items():
-        assert bool(told.note) == bool(known[key].note)
+    for key, translated in translation._by_claim.items():
+        assert bool(translated.note) == bool(known[key].note)
 
 
 def test_the_lettering_of_the_figures():

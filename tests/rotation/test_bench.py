@@ -234,7 +234,7 @@ def test_the_command_prints_a_table(run):
     assert "numpy was imported before" in err
 
 
-def test_all_processors_work_unless_told_otherwise(run):
+def test_all_processors_work_by_default(run):
     from rotation.kernels import threads
 
     out = run("--test", "1", "--format", "json")[1]

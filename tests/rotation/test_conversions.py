@@ -49,7 +49,7 @@ def test_scalar_first_and_last() -> None:
     assert np.array_equal(r.as_quat(scalar_first=False)[[3, 0, 1, 2]], r.as_quat())
 
 
-def test_the_sign_is_kept_unless_canonical_is_asked_for() -> None:
+def test_the_sign_is_kept_unless_canonical_is_true() -> None:
     q = Rotation.from_quat([-1.0, 1, 1, 1]).as_quat()
     assert q.tolist() == [-0.5, 0.5, 0.5, 0.5]
     assert Rotation.from_quat(q).as_quat(canonical=True).tolist() == [0.5, -0.5, -0.5, -0.5]

@@ -54,9 +54,9 @@ def test_every_median_has_no_slope() -> None:
         m = r.median()
         away = (r * m.inv()).as_rotvec()
         angles = np.linalg.norm(away, axis=1)
-        elsewhere = angles > 1e-9
-        pull = (away[elsewhere] / angles[elsewhere, None]).sum(axis=0)
-        assert np.linalg.norm(pull) <= (~elsewhere).sum() + 1e-9
+        distant = angles > 1e-9
+        pull = (away[distant] / angles[distant, None]).sum(axis=0)
+        assert np.linalg.norm(pull) <= (~distant).sum() + 1e-9
 
 
 def test_bounds_are_below_all_sums_in_a_box() -> None:

@@ -45,8 +45,8 @@ def test_what_is_proved_is_the_code(line: str) -> None:
     with spoilt_thesis(line, mutant, "rotation.ledger", FORMULAS) as spoilt:
         computed = {
             name
-            for room in FORMULAS[:2]
-            for name in sys.modules[f"rotation.ledger.{room}"].COMPUTED
+            for module in FORMULAS[:2]
+            for name in sys.modules[f"rotation.ledger.{module}"].COMPUTED
         }
         red = {
             claim.id.removeprefix("C3.1.1-").removeprefix("C3.1.2")

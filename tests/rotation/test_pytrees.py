@@ -29,9 +29,9 @@ VALUES += [curve(np.arange(5.0), R) for curve in (Slerp, Squad, RotationSpline)]
 
 
 def test_the_parts_are_all_that_a_value_holds() -> None:
-    told = dict(pytrees._kinds)
+    registered = dict(pytrees._kinds)
     for value in VALUES:
-        names = told[type(value)]
+        names = registered[type(value)]
         again = pytrees._whole(type(value), names)(pytrees._parts(names)(value))
         assert set(vars(value) if hasattr(value, "__dict__") else names) == set(names)
         called = [x(TIMES) if callable(x) else x for x in (again, value)]

@@ -256,13 +256,13 @@ def test_other_array_libraries() -> None:
     np.testing.assert_allclose(found, signs * wanted, atol=1e-14)
 
 
-def test_the_matrix_that_is_held_is_nobodys_to_change() -> None:
+def test_changing_a_returned_matrix_changes_no_other() -> None:
     move = RigidTransform.from_components(np.ones((3, 3)), Rotation.random(3, seed=1))
     kept = RigidTransform.from_components(np.ones((3, 3)), Rotation.random(3, seed=1)).as_matrix()
     for _ in range(3):
-        asked = move.as_matrix()
-        np.testing.assert_array_equal(asked, kept)
-        asked[...] = 0.0
+        matrix = move.as_matrix()
+        np.testing.assert_array_equal(matrix, kept)
+        matrix[...] = 0.0
     second = move.as_matrix()
     np.testing.assert_array_equal(second, kept)
     second[...] = 0.0

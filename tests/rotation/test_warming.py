@@ -44,19 +44,19 @@ def test_compiling_is_said_once_on_terminals_only_and_not_of_what_is_kept(tmp_pa
 
 
 def test_warm_up_asks_for_every_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked = set()
+    compiled = set()
 
     def kernel(name: tuple[Any, ...], *_: Any) -> None:
-        asked.add(name[0])
+        compiled.add(name[0])
 
     def cumulative(q: Any) -> None:
-        asked.add("cumulative")
+        compiled.add("cumulative")
 
     monkeypatch.setattr(kernels, "_kernel", kernel)
     monkeypatch.setattr(twins, "run", lambda *_: False)
     monkeypatch.setattr(chains, "cumulative", cumulative)
     rotation.warm_up()
-    assert asked == set(kernels.__all__) - {"threads"}
+    assert compiled == set(kernels.__all__) - {"threads"}
 
 
 @pytest.mark.slow
@@ -109,12 +109,12 @@ from rotation import action, kernels, matrices, quaternions, vectors, warm_up
 from rotation.rowwise import Formula, unmade
 kernels._run = lambda *_, **__: False
 warm_up()
-for room in (action, matrices, quaternions, vectors):
-    for name, value in vars(room).items():
+for module in (action, matrices, quaternions, vectors):
+    for name, value in vars(module).items():
         found = value.values() if isinstance(value, dict) else value if isinstance(value, list) else [value]
         for f in found:
             if isinstance(f, Formula) and f.function is unmade:
-                print(room.__name__, name)
+                print(module.__name__, name)
 """
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(

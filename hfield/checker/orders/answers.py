@@ -115,7 +115,7 @@ def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
     if inverse_norm is None:
         if given.data.keys() & {"norm", "between"}:
             reject(
-                "there is nothing to run through: no element can have the norm that is asked for"
+                "there is nothing to run through: no element can have the given norm"
             )
         return CheckResult(FIELD, NORM).citing(*given.unit_theorems)
     if "between" not in given.data:

@@ -1,7 +1,7 @@
 """Whether evidence that differs from the original is valid all the same, by other means than the checker's.
 
 Witnesses are evaluated in the package's own rings, cofactors multiplied out by flint, words by the
-prover's rewriting; for the rest the prover is asked again. Nothing of hfield.checker is used.
+prover's rewriting; for the rest the prover decides again. Nothing of hfield.checker is used.
 """
 
 import re
@@ -189,7 +189,7 @@ def _witness(evidence: Any, data: Certificate) -> bool:
 
 
 def _place(evidence: Any, data: Certificate) -> bool:
-    """At these values nothing exists: the prover is asked about the statement in which they stand."""
+    """At these values nothing exists: the prover decides the statement with the values in it."""
     field = name_of(evidence["ring"]) if "ring" in evidence else data["field"]
     values = {name: _written(texts) for name, texts in evidence["values"].items()}
     algebra = _put_in(data["algebra"], values).replace("F)", f"{field})")

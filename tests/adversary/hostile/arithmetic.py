@@ -47,7 +47,7 @@ def ideal_classes(p: int) -> str:
     return json.dumps(A.eichler_order(A.ring.primes_above(p)[0]).class_set().certificate)
 
 
-def over_integers(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
+def over_zz(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
     """Return certificates about an Eichler order over the integers of ℚ(√5), an ideal and a moved order."""
 
     def make(p: int) -> str:
@@ -81,21 +81,21 @@ FILES: dict[str, Hostile] = {
     "norm-one-group-over-integers: a large level": (group_over_integers, 11, 199),
     "dirichlet-domain-over-integers: a large level": (domain_over_integers, 11, 199),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
-    "order-over-integers: a large level": (over_integers(lambda order, *_: order.claim), 11, 401),
+    "order-over-integers: a large level": (over_zz(lambda order, *_: order.claim), 11, 401),
     "ideal-over-integers: a large level": (
-        over_integers(lambda _, ideal, __: ideal.claim),
+        over_zz(lambda _, ideal, __: ideal.claim),
         11,
         401,
     ),
     "unit-index: a large level": (
-        over_integers(
+        over_zz(
             lambda order, *_: certificates.of_unit_index(order.value, order.unit_index())
         ),
         11,
         401,
     ),
     "equivalent-over-integers: a large level": (
-        over_integers(lambda _, ideal, __: ideal.is_principal().claim),
+        over_zz(lambda _, ideal, __: ideal.is_principal().claim),
         31,
         401,
     ),
@@ -132,7 +132,7 @@ FILES: dict[str, Hostile] = {
         6,
     ),
     "isomorphic-over-integers: a large level": (
-        over_integers(lambda order, _, moved: order.isomorphism(moved).claim),
+        over_zz(lambda order, _, moved: order.isomorphism(moved).claim),
         11,
         401,
     ),

@@ -24,7 +24,7 @@ from tests.adversary.names.numbers import Data
 from tests.adversary.names.reader import read
 from tests.adversary.names.voices import checker_contradicts, prover_contradicts
 
-LARGEST = 12  # the degree of a field of several numbers up to which the prover is asked for one
+LARGEST = 12  # the degree of a field of several numbers up to which the prover makes one
 
 
 @dataclass
@@ -75,7 +75,7 @@ def judge_name(text: str, out: Outcome) -> None:
     if ring(R.name) != R:
         out.complain(f"{R.name} does not read back", text)
     if unsure:
-        out.tally["read by the prover alone, and not told otherwise"] += 1
+        out.tally["read by the prover alone, without facts that contradict it"] += 1
     elif meant is None:
         out.complain(f"the prover reads {R.name}, which the page does not allow: {why}", text)
     elif meant != R.data:
@@ -102,7 +102,7 @@ def judge_data(data: Data, R: Any, out: Outcome, about: object) -> None:
         known = facts(data)
     except Unsure:
         known = None
-        out.tally["rings of which no facts are told"] += 1
+        out.tally["rings without facts"] += 1
     try:
         if known is not None:
             for wrong in prover_contradicts(R, known):

@@ -1,4 +1,4 @@
-"""What is true of a ring, told from its data by elementary number theory, without prover and checker."""
+"""What is true of a ring, computed from its data by elementary number theory, without prover and checker."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ class Facts:
     """Texts in ``zero`` are 0 in the ring, those in ``nonzero`` are not; ``signs`` are those of the place.
 
     ``order`` is None for an infinite ring, ``degree`` that of a finite or a number field; ``squares`` tell
-    which of −1, 2, 3, 5 are squares, None where that is not told here. At a place, ``residues`` counts the
+    which of −1, 2, 3, 5 are squares, None where that is not computed here. At a place, ``residues`` counts the
     residue field, ``within`` have a positive valuation and ``units`` none.
     """
 
@@ -50,7 +50,7 @@ class Facts:
 
 
 def facts(data: Data) -> Facts:
-    """Return what is told of a ring. Raises ``Unsure``."""
+    """Return the facts about a ring. Raises ``Unsure``."""
     kind = data["kind"]
     if kind == "residues":
         return _of_residues(data["modulus"])

@@ -1,4 +1,4 @@
-"""What a ring of the prover and one of the checker say of themselves, held against the facts."""
+"""What a ring of the prover and one of the checker say of themselves, compared with the facts."""
 
 from collections.abc import Callable, Iterator
 from typing import Any

@@ -59,7 +59,7 @@ def element(rng: Random, K: Any, P: Any) -> Any:
 
 
 def pari_symbol(oracle: Any, text: str, P: Any, a: Any, b: Any) -> int:
-    """Return PARI's nfhilbert(nf, a, b, P), P being told by its generators."""
+    """Return PARI's nfhilbert(nf, a, b, P), P being given by its generators."""
     nf = oracle(f"nfinit({text})")
     pi, x, y = (oracle(str(u).replace("s", "x")) for u in (P.generators[1], a, b))
     above = [Q for Q in nf.idealprimedec(P.p) if int(nf.idealval(pi, Q)) > 0]

@@ -21,7 +21,7 @@ def residues(F):
 
 
 def refinements(F, x, last):
-    """All exact numbers in x whose digits before π^last are told apart."""
+    """All exact numbers in x with all choices of the digits before π^last."""
     start, found = x.precision, [F(x.value)]
     for m in range(start, last):
         found = [y + r * F.uniformiser**m for y in found for r in residues(F)]

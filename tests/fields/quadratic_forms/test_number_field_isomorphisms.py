@@ -71,10 +71,10 @@ def test_random_pairs(name):
 @pytest.mark.parametrize("case", HARD, ids=range(len(HARD)))
 def test_pairs_that_were_refused(case, monkeypatch):
     """Nothing is factored but the norms of the constants, and images are about as long as these."""
-    asked = []
+    calls = []
 
     def watched(field, x):
-        asked.append(x)
+        calls.append(x)
         return candidates(field, x)
 
     monkeypatch.setattr(unimodular_lattice, "candidates", watched)
@@ -82,7 +82,7 @@ def test_pairs_that_were_refused(case, monkeypatch):
     a, b, p, q = map(K, numbers)
     A, B = QuaternionAlgebra(K, a, b), QuaternionAlgebra(K, p, q)
     images = check(A, B)
-    assert set(asked) <= {a, b, p, q}
+    assert set(calls) <= {a, b, p, q}
     digits = max(len(str(c)) for x in images for y in x.coordinates for c in y.poly.coeffs())
     assert digits < 100
 

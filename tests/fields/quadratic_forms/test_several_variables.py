@@ -54,7 +54,7 @@ def test_some_residues_prove_it_where_others_are_open(text):
         A.ramified_places()
 
 
-def test_algebras_are_told_apart_by_residues_that_are_known():
+def test_algebras_are_distinguished_by_residues_that_are_known():
     A, B, C = (
         QuaternionAlgebra("GF(2)(s,t)", *constants, 1)
         for constants in (("s", "t"), ("s+s^2+s^4", "t"), ("s", "t+1"))
