@@ -128,7 +128,7 @@ def written(function: FunctionType, kinds: Sequence[Any]) -> str:
         if not _called[part]:
             register_jitable(part)
             _called[part] = True
-    room = {"carray": carray, "kernel": njit(**OPTIONS)(function)}
+    names_of_entry = {"carray": carray, "kernel": njit(**OPTIONS)(function)}
     names: list[str] = []
     signature: list[Any] = []
 
@@ -145,13 +145,13 @@ def written(function: FunctionType, kinds: Sequence[Any]) -> str:
             signature.extend([types.CPointer(item), *[types.int64] * kind[1]])
             return f"carray({names[here]}, ({', '.join(names[here + 1 :])},))"
         parts = ", ".join(map(taken, kind[1:]))
-        room[kind[0].__name__] = kind[0]
+        names_of_entry[kind[0].__name__] = kind[0]
         return f"({parts},)" if kind[0] is tuple else f"{kind[0].__name__}({parts})"
 
     words = ", ".join(map(taken, kinds))
-    exec(f"def entry({', '.join(names)}):\n    return kernel({words})", room)
+    exec(f"def entry({', '.join(names)}):\n    return kernel({words})", names_of_entry)
     returned = types.float64 if _returns(function) else types.void
-    made = cfunc(returned(*signature), **OPTIONS)(room["entry"])
+    made = cfunc(returned(*signature), **OPTIONS)(names_of_entry["entry"])
     text = made.inspect_llvm().replace(made.native_name, "entry")
     # Nothing else is to be seen from outside: what is not called, such as numba's errors, then goes.
     return re.sub(r"^define (?:linkonce_odr )?(?!.*@entry\()", "define internal ", text, flags=re.M)

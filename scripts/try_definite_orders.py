@@ -4,10 +4,10 @@
 
 In a Hermite order stably free right ideals are free. What contains a Hermite order is one: the search goes
 from maximal orders down, at all primes where the mass, the number of stable classes over that of units,
-leaves room. The mass of a maximal order is at most the number of narrow classes, which bounds the
+allows one. The mass of a maximal order is at most the number of narrow classes, which bounds the
 discriminant D of the algebra, and that of the field, as |ζ_K(−1)| > d^(3/2)/(2π²)ⁿ. Fields of degree 3 to 5
 are those of polynomials with small coefficients, distinguished by PARI (cypari): they are all of the tables
-of J. Voight (ANTS 2008, 268–281) that leave room, and so are those of degree 6, which are listed. Prints a
+of J. Voight (ANTS 2008, 268–281) that allow one, and so are those of degree 6, which are listed. Prints a
 line for each order: discriminant of the field, norms of D and of the discriminant, classes, stable classes,
 types, C for cancellation. Of each class set it is checked that its stable classes have one mass each and that
 rows of a Brandt matrix have the right sums. Exit status 1 if that fails, or a count is not that of the
@@ -56,20 +56,20 @@ SEXTIC = """
     0 19 0 -8 0; -1 3 12 2 -7 -1; -5 -1 13 0 -7 0; -1 -1 8 0 -6 0; -11 -4 19 5 -8 -1; 2 10 12 -4 -8 0;
     -5 10 19 -13 -12 1
 """
-"""Coefficients of polynomials, but the first, of the fields of degree 6 that leave room, from Voight's
+"""Coefficients of polynomials, but the first, of the fields of degree 6 that allow one, from Voight's
 tables."""
 
 
 # --- fields and algebras ---------------------------------------------------------------------------
 
 
-def room(d: int, n: int, signs: int) -> bool:
-    """Tell whether the mass leaves room for a Hermite order; h⁺ is h·2^signs."""
+def mass_allows(d: int, n: int, signs: int) -> bool:
+    """Tell whether the mass allows a Hermite order; h⁺ is h·2^signs."""
     return d**3 <= 4 ** (n - 1 + signs) * Fraction(20) ** (2 * n)  # 20 > 2π²
 
 
 def fields(degree: int) -> list[str]:
-    """Return names of totally real fields that leave room, by discriminants ascending."""
+    """Return names of totally real fields whose mass allows one, by discriminants ascending."""
     if degree == 1:
         return ["QQ"]
     if degree == 6:
@@ -80,7 +80,7 @@ def fields(degree: int) -> list[str]:
     import cypari  # of the extra "oracles"
 
     if degree == 2:
-        largest = next(d for d in range(2, 10_000) if not room(d, 2, 1))
+        largest = next(d for d in range(2, 10_000) if not mass_allows(d, 2, 1))
         candidates: Iterator[str] = (f"x^2-x*{d % 4 % 2}-{d // 4}" for d in range(5, largest))
     else:
         first, size = SIZES[degree]
@@ -96,7 +96,7 @@ def fields(degree: int) -> list[str]:
         f = cypari.pari(text)
         if int(f.polsturm()) == degree and f.polisirreducible():
             d = int(f.nfdisc())
-            if room(d, degree, degree - 1):
+            if mass_allows(d, degree, degree - 1):
                 found[str(f.polredabs()).replace("x", "s").replace(" ", "")] = d
     return [f"QQ[s]/({f})" for _, f in sorted((d, f) for f, d in found.items())]
 
@@ -109,7 +109,7 @@ def algebras(name: str) -> Iterator[list[Any]]:
     else:
         n = K.degree
         h, narrow = K.class_group().order, K.narrow_class_group().order
-        if not room(K.discriminant(), n, (narrow // h).bit_length() - 1):
+        if not mass_allows(K.discriminant(), n, (narrow // h).bit_length() - 1):
             return
         left = Fraction(narrow * 2 ** (n - 1), h) / abs(K.zeta_minus_one())
     small = [P for P in places(K, int(left) + 1) if norm(P) - 1 <= left]

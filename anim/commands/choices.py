@@ -194,7 +194,7 @@ def camera_of(args: Namespace) -> Camera:
 
 def settings_of(args: Namespace, size: tuple[int, int]) -> RenderSettings:
     """Return the settings, by default those of a film, of ``size``; a preview is half as wide and high."""
-    from anim.picture.room import room
+    from anim.picture.environment import environment
     from anim.picture.settings import FILM_SETTINGS
 
     given = {
@@ -203,7 +203,7 @@ def settings_of(args: Namespace, size: tuple[int, int]) -> RenderSettings:
         if getattr(args, name) is not None
     }
     if args.dark:
-        given.setdefault("background", room()["paper"]["dark"])
+        given.setdefault("background", environment()["paper"]["dark"])
     width, height = size
     quick = {"size": (width // 2, height // 2), "quality": 1} if args.preview else {"size": size}
     return replace(FILM_SETTINGS, camera=camera_of(args), **(quick | given))

@@ -153,7 +153,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
-    from anim.picture.room import room
+    from anim.picture.environment import environment
     from anim.picture.settings import colour
     from anim.viewer import Show, curves_of, page
 
@@ -163,7 +163,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     ):
         if number > most:
             raise UsageError(f"a page holds at most {most} {name}, not {number}")
-    camera, paper = camera_of(args), room()["paper"]["dark"] if args.dark else None
+    camera, paper = camera_of(args), environment()["paper"]["dark"] if args.dark else None
     if args.background is not None:
         paper = "#{:02x}{:02x}{:02x}".format(*colour("background", args.background))
     check(path, None, args.force)

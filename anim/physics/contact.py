@@ -134,26 +134,26 @@ def changes_contact(y: Floats, h: float, edges: Floats) -> bool:
 
 
 @called
-def advance(y: Floats, h: float, room: Floats, edges: Floats, ground: Ground) -> None:
-    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (6, 14) is overwritten.
+def advance(y: Floats, h: float, work: Floats, edges: Floats, ground: Ground) -> None:
+    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``work`` (6, 14) is overwritten.
 
     Where friction is stiff it is done in parts, each no longer than STIFF over its rate; in FINER parts or
     more where a contact begins or ends, as the ground's force is not smooth there.
     """
-    parts = max(1, ceil(h * slope(y, room[0], edges, ground) / STIFF))
+    parts = max(1, ceil(h * slope(y, work[0], edges, ground) / STIFF))
     if changes_contact(y, h, edges):
         parts = max(parts, FINER)
     step = h / parts
     for part in range(parts):
         if part > 0:
-            slope(y, room[0], edges, ground)
+            slope(y, work[0], edges, ground)
         for k in range(1, 4):
             share = step if k == 3 else step / 2
             for n in range(SIZE):
-                room[4, n] = y[n] + share * room[k - 1, n]
-            slope(room[4], room[k], edges, ground)
+                work[4, n] = y[n] + share * work[k - 1, n]
+            slope(work[4], work[k], edges, ground)
         for n in range(SIZE):
-            y[n] += step / 6 * (room[0, n] + 2 * room[1, n] + 2 * room[2, n] + room[3, n])
+            y[n] += step / 6 * (work[0, n] + 2 * work[1, n] + 2 * work[2, n] + work[3, n])
     size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3])
     for n in range(4):
         y[n] /= size
@@ -178,13 +178,13 @@ def follow(
     every: int,
     edges: Floats,
     ground: Ground,
-    room: Floats,
+    work: Floats,
 ) -> float:
     """Write ``states`` (steps // every + 1, 14) from ``start`` on; return when the rim touched first, or −1.
 
-    ``room`` (6, 14) is overwritten.
+    ``work`` (6, 14) is overwritten.
     """
-    y = room[5]
+    y = work[5]
     for n in range(SIZE):
         y[n] = start[n]
     landed = -1.0
@@ -194,7 +194,7 @@ def follow(
                 states[step // every, n] = y[n]
         if landed < 0 and down(y, edges):
             landed = step * h
-        advance(y, h, room, edges, ground)
+        advance(y, h, work, edges, ground)
     return landed
 
 
@@ -206,11 +206,11 @@ def meet(
     h: float,
     edges: Floats,
     ground: Ground,
-    room: Floats,
+    work: Floats,
 ) -> None:
     """Write the states ``found`` (n, 14) at ``times`` (n,), each from the last kept before it.
 
-    ``states`` are ``spacing`` apart; ``room`` (6, 14) is overwritten.
+    ``states`` are ``spacing`` apart; ``work`` (6, 14) is overwritten.
     """
     for n in range(len(times)):
         last = min(int(times[n] / spacing), len(states) - 1)
@@ -219,8 +219,8 @@ def meet(
             y[k] = states[last, k]
         whole = int((times[n] - last * spacing) / h)
         for _ in range(whole):
-            advance(y, h, room, edges, ground)
-        advance(y, times[n] - last * spacing - whole * h, room, edges, ground)
+            advance(y, h, work, edges, ground)
+        advance(y, times[n] - last * spacing - whole * h, work, edges, ground)
 
 
 follow_compiled = kernel(follow)

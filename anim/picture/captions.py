@@ -31,7 +31,7 @@ LETTERS, LEAST = 26, 9
 STEP = 1.45
 """From one line to the next, in heights of letters."""
 WIDEST = (180.0, -888.8)
-"""A tilt and a spin that take as much room as any."""
+"""A tilt and a spin that take as much width as any."""
 GAP = "     "
 
 
@@ -91,14 +91,14 @@ def _rows(
 ) -> list[str]:
     """Return lines as rows, as few as fit: all in one, or each alone, a formula in parts at its comma."""
     letters = _letters(size)
-    room, font = size[0] - 2 * letters, _font(letters)
+    width, font = size[0] - 2 * letters, _font(letters)
     shown = widest if said is None else said
-    if font.getlength(GAP.join(widest)) <= room:
+    if font.getlength(GAP.join(widest)) <= width:
         return [GAP.join(shown)]
     rows, (first, *rest) = [], widest
     pairs = zip((first, GAP.join(rest)), (shown[0], GAP.join(shown[1:])), strict=True)
     for wide, line in pairs:
-        if font.getlength(wide) <= room:
+        if font.getlength(wide) <= width:
             rows.append(line)
         else:
             rows += [part.strip() for part in line.replace(GAP, ",   ").split(",   ")]

@@ -5,10 +5,10 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.canvas import Canvas
-from anim.picture.merge import HIDDEN, Rim, outlines
+from anim.picture.environment import direction, environment
 from anim.picture.mesh import Mesh
+from anim.picture.outlines import HIDDEN, Rim, outlines
 from anim.picture.projection import View, reached
-from anim.picture.room import direction, room
 from anim.picture.settings import RGB, RenderSettings
 from anim.picture.solid import pieces
 
@@ -30,7 +30,7 @@ def places(model: Model, settings: RenderSettings) -> Floats:
     above, light = top[top[:, 2] >= -SUNK], direction(settings.camera)
     thrown = above @ _fall(light)[:3, :3].T
     # The edge of a shadow is the wider the farther the light comes from what throws it.
-    shadow = room()["shadow"]
+    shadow = environment()["shadow"]
     edge = shadow["sharp"] + shadow["soft"] * above[:, 2] / light[2]
     # What nearly touches the ground darkens it besides, up to here.
     edge = np.maximum(edge, CONTACT_REACHES * shadow["reach"] - above[:, 2])

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from anim.picture.environment import darkness, environment, ground, to_ground
 from anim.picture.projection import View
-from anim.picture.room import darkness, ground, room, to_ground
 from anim.picture.settings import RGB, RenderSettings
 from anim.picture.surface import Floats, Surface
 
@@ -30,7 +30,7 @@ class LitSurface(Surface):
 
         if self._view.eye[2] <= 0:
             return
-        numbers = room()["ground"]
+        numbers = environment()["ground"]
         if self._places is None:
             self._places = np.empty((self.height, self.width, 5), np.float32)
             map_ = to_ground(self._view, self.height)

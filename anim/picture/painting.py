@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.outline import simplified
+from anim.picture.environment import direction, trace_of
 from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
-from anim.picture.room import direction, trace_of
 from anim.picture.settings import RGB, RenderSettings, colour
 from anim.picture.style import Exposing
 from anim.picture.styles import STYLES

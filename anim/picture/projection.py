@@ -1,6 +1,6 @@
-"""From the room to the picture: one 4 × 4 projective matrix, and the point it is seen from.
+"""From space to the picture: one 4 × 4 projective matrix, and the point it is seen from.
 
-A :class:`View` maps homogeneous points (x, y, z, 1) of the room to (u·w, v·w, d·w, w): u and v are pixels
+A :class:`View` maps homogeneous points (x, y, z, 1) of space to (u·w, v·w, d·w, w): u and v are pixels
 from the picture's lower left corner, and d grows towards the eye and is linear over a plane face. The
 eye is a homogeneous point too, so that parallel rays (an eye at infinity) need no case of their own
 (Hartley and Zisserman, Multiple View Geometry, chapter 6).
@@ -29,7 +29,7 @@ MIN_MARGIN = 2.0
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """A projection of the room into a picture; see the module for what ``matrix`` (4, 4) means."""
+    """A projection of space to a picture; see the module for what ``matrix`` (4, 4) means."""
 
     matrix: Floats
 

@@ -1,12 +1,12 @@
-"""The shadow of a lit room: soft, and sharp and dark where the top touches the ground."""
+"""The shadow of the top on lit ground: soft, and sharp and dark where the top touches the ground."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.outline import Profile, simplified
+from anim.picture.environment import environment, to_ground
 from anim.picture.lit_surface import LitSurface
 from anim.picture.projection import View
-from anim.picture.room import room, to_ground
 
 Floats = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ class SoftShadow:
         growth = (wider[solid] / taller[solid])[:, None]
         self._cones = np.hstack([self._rings[:-1][solid], self._rings[1:][solid], growth])
         self._numbers = np.array(
-            [room()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]
+            [environment()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]
         )
 
     def draw(self, canvas: LitSurface, rotation: Floats, tip: Floats) -> None:

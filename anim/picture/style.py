@@ -1,4 +1,4 @@
-"""What a style is: the room that the top stands in, and what draws the top itself."""
+"""What a style is: the background of the top, and what draws the top itself."""
 
 from abc import ABC, abstractmethod
 from typing import Any, Protocol, runtime_checkable
@@ -22,7 +22,7 @@ class Body(Protocol):
     """What draws the top itself."""
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
+        """Draw the top as ``view`` sees it, a view in the axes of the top, which ``rotation`` has turned."""
 
 
 @runtime_checkable

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from anim.errors import AnimationError
 from anim.outline import simplified
-from anim.picture.room import room
+from anim.picture.environment import environment
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -102,7 +102,7 @@ def page(
         "fps": fps,
         "camera": {"azimuth": azimuth, "elevation": elevation, "distance": 9.5 / zoom},
         "model": _shape(model),
-        "room": room(),
+        "environment": environment(),
         "shows": [
             {"label": show.label, "quaternions": _packed(show.attitudes, 4)}
             | (
@@ -156,8 +156,8 @@ def seeing() -> str:
 
 
 def _style(background: str | None) -> str:
-    """Return the page's style on the room's paper, or on one paper for light and dark."""
-    paper = room()["paper"]
+    """Return the page's style on the paper of the environment, or on one paper for light and dark."""
+    paper = environment()["paper"]
     style = _file("page.css").replace("{{paper}}", background or paper["light"])
     return style.replace("{{dark}}", paper["dark"])
 

@@ -29,9 +29,9 @@ function surface(profile, sectors, colours) {
   return new Float32Array(out);
 }
 
-// Lighting that all shaders share, by the numbers of room.toml in the page. Noise of one 8-bit step prevents
+// Lighting that all shaders share, by the numbers of environment.toml in the page. Noise of one 8-bit step prevents
 // banding in gradients.
-const number = (table, name) => data.room[table][name].toFixed(5);
+const number = (table, name) => data.environment[table][name].toFixed(5);
 const byPaper = (name) => `mix(${number("light", name)}, ${number("dark", name)}, dark)`;
 const colourOf = (text) => [1, 3, 5].map((n) => parseInt(text.slice(n, n + 2), 16) / 255);
 const DITHER = `
@@ -95,7 +95,7 @@ void main() {
   float near = smoothstep(${number("ground", "far")}, ${number("ground", "near")}, r), dark = 1. - smoothstep(.2, .6, paper.g);
   float ring = far > .5 ? smoothstep(.03, .0, abs(fract(far + .5) - .5)) * ${number("ground", "ring")} : 0.;
   vec3 lit = mix(paper * (1. - (${number("ground", "shade")} + ring) * near), paper + (${number("ground", "pool")} - ring * .5) * near, dark);
-  float contact = ${number("shadow", "contact")} * exp(-nearest / ${(data.room.shadow.reach ** 2).toFixed(5)});
+  float contact = ${number("shadow", "contact")} * exp(-nearest / ${(data.environment.shadow.reach ** 2).toFixed(5)});
   gl_FragColor = dithered(above > 0. ? lit * (1. - ${number("shadow", "depth")} * shade) * (1. - contact) : lit);
 }`;
 const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 1.); }`;
@@ -108,7 +108,7 @@ class Scene {
   constructor(gl, model, shows, paper) {
     this.gl = gl;
     this.paper = paper;
-    const { aside, height, window: low } = data.room.light, turn = data.camera.azimuth + (aside * Math.PI) / 180;
+    const { aside, height, window: low } = data.environment.light, turn = data.camera.azimuth + (aside * Math.PI) / 180;
     const towards = (rise) => [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
     this.light = towards((height * Math.PI) / 180);
     this.glint = towards((low * Math.PI) / 180); // what is mirrored in the top: a window below the light
@@ -234,7 +234,7 @@ class Scene {
 
   // The first ages.length points of a trail, each passed so many seconds ago; it fades with age as in films.
   path(trail, ages, matrix) {
-    const { gl } = this, ink = colourOf(data.room.trace[this.paper[1] < 0.4 ? "dark" : "light"]);
+    const { gl } = this, ink = colourOf(data.environment.trace[this.paper[1] < 0.4 ? "dark" : "light"]);
     const strength = (age) => FAINTEST + (1 - FAINTEST) * Math.exp(-age / FADING);
     this.use("trail", trail, ["position"], { matrix, shift: [0, 0] });
     const at = gl.getUniformLocation(this.programs.trail, "ink");

@@ -215,8 +215,8 @@ def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
     between = RADIUS * abs(_summit(drawing.own[0]) - _summit(drawing.own[-1]))
     for side, text in zip(drawing.own, drawing.letters, strict=True):
         chord = (side.end - side.start) * RADIUS
-        room = min(abs(chord), between) if 0 in (side.start, side.end) else abs(chord)
-        size = min(LETTER_SIZE, 0.28 * room)
+        width = min(abs(chord), between) if 0 in (side.start, side.end) else abs(chord)
+        size = min(LETTER_SIZE, 0.28 * width)
         if size >= MIN_LETTER_SIZE:
             inwards = 1j * chord / abs(chord)  # the corners are in positive order
             yield RADIUS * _summit(side) + inwards * (0.95 * size + 2), size, text

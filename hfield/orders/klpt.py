@@ -334,6 +334,6 @@ def _needed_bits(ideal: LatticeValue, order: LatticeValue) -> int:
     p = int(discriminant(order))
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
     norm = max(math.isqrt(p), 3) if f is None else max(int(least_norm(ideal)), math.isqrt(p), 3)
-    room = 18 + p.bit_length().bit_length() + (4 if f is None else (-f.discriminant).bit_length())
-    once = 2 * p.bit_length() + 2 * norm.bit_length() + room
+    slack = 18 + p.bit_length().bit_length() + (4 if f is None else (-f.discriminant).bit_length())
+    once = 2 * p.bit_length() + 2 * norm.bit_length() + slack
     return once if f is not None else 2 * once

@@ -9,7 +9,7 @@ import numpy as np
 
 NOTHING = -1
 BACK = 3.5
-"""How far before the middle of the room rays start: outside of the top, behind no eye."""
+"""How far before the origin rays start: outside of the top, behind no eye."""
 
 
 def rays(matrix, x, y):

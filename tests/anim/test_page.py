@@ -9,7 +9,7 @@ import pytest
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.room import room, trace_of
+from anim.picture.environment import environment, trace_of
 from anim.viewer import Curve, Show, page
 from tests.anim.test_viewer import FRAMES, MODEL, SPIN, about
 
@@ -32,11 +32,13 @@ def test_the_page_holds_the_motion_and_nothing_from_elsewhere() -> None:
     assert "default-src 'none'" in text
 
 
-def test_page_and_pictures_have_one_room() -> None:
+def test_page_and_pictures_have_one_environment() -> None:
     text = page(MODEL, [Show("spin", SPIN)], 50)
-    assert data_of(text)["room"] == room()
-    assert f"--paper: {room()['paper']['dark']}" in text
-    assert room()["trace"]["light"] == "#{:02x}{:02x}{:02x}".format(*trace_of((255, 255, 255)))
+    assert data_of(text)["environment"] == environment()
+    assert f"--paper: {environment()['paper']['dark']}" in text
+    assert environment()["trace"]["light"] == "#{:02x}{:02x}{:02x}".format(
+        *trace_of((255, 255, 255))
+    )
 
 
 def test_500_frames_make_a_small_page() -> None:

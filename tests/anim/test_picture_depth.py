@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from anim.model import Model
-from anim.picture import Camera, RenderSettings, merge, painter
+from anim.picture import Camera, RenderSettings, outlines, painter
 from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
 from tests.subcases import pairs_quick, subcases
@@ -159,8 +159,8 @@ def test_seams_let_nothing_through(ring, attitudes):
 
 
 def test_seams_without_overlap_would_be_found(monkeypatch, attitudes):
-    monkeypatch.setattr(merge, "OVERLAP", 1e-6)
-    monkeypatch.setattr(merge, "DEPTH", 1e-6)
+    monkeypatch.setattr(outlines, "OVERLAP", 1e-6)
+    monkeypatch.setattr(outlines, "DEPTH", 1e-6)
     assert leaking(1000, attitudes[20:30]) > 5 * LIMIT
 
 

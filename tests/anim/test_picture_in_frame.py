@@ -23,7 +23,7 @@ CAMERAS = [Camera(), Camera(40, 80), Camera(130, 3, perspective=False), Camera(1
 
 
 def drawn(pictures, empty):
-    """Tell which pixels (height, width) of some pictures are not those of the empty room."""
+    """Tell which pixels (height, width) of some pictures are not those of the scene without the top."""
     return np.any([(picture != empty).any(axis=-1) for picture in pictures], axis=0)
 
 
@@ -36,7 +36,7 @@ def scene_of(motion, look):
     return Scene(model, motion, framed(look, model, motion))
 
 
-def empty_room(scene):
+def without_top(scene):
     return painter(scene.model, scene.settings).canvas.rgb()
 
 
@@ -46,7 +46,7 @@ def empty_room(scene):
 def test_the_default_film(motion, size):
     look = RenderSettings(size, FILM_SETTINGS.style, trace=True, shadow=True, quality=1)
     scene = scene_of(MOTIONS[motion], look)
-    mask = drawn(frames(scene, numbers=range(2, 9, 3)), empty_room(scene))
+    mask = drawn(frames(scene, numbers=range(2, 9, 3)), without_top(scene))
     assert mask.any()
     assert on_the_edge(mask) == [False] * 4
 
@@ -58,7 +58,7 @@ def test_long_shadows_from_every_side(style, camera):
     scene = scene_of(
         MOTIONS["a fall"], RenderSettings((320, 180), style, camera, trace=True, shadow=True)
     )
-    assert on_the_edge(drawn(frames(scene), empty_room(scene))) == [False] * 4
+    assert on_the_edge(drawn(frames(scene), without_top(scene))) == [False] * 4
     brush = painter(scene.model, RenderSettings((320, 180), style, camera, shadow=True, tilt=60))
     empty = brush.canvas.rgb()
     leaning = [brush.draw(about_z(turn) @ about_y(np.pi / 3)) for turn in np.arange(0, 6.2, 0.35)]
@@ -67,5 +67,5 @@ def test_long_shadows_from_every_side(style, camera):
 
 def test_the_picture_is_filled():
     scene = scene_of(MOTIONS["physics"], RenderSettings((320, 240), trace=True, shadow=True))
-    rows, columns = np.nonzero(drawn(frames(scene), empty_room(scene)))
+    rows, columns = np.nonzero(drawn(frames(scene), without_top(scene)))
     assert max(np.ptp(rows) / 240, np.ptp(columns) / 320) > 0.8

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.canvas import Canvas
-from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
 from anim.picture.mesh import Mesh
+from anim.picture.outlines import HIDDEN, Rim, outlines, reach_under
 from anim.picture.projection import View
 from anim.picture.settings import RGB, RenderSettings
 from anim.picture.solid import drawing_order, pieces
@@ -60,7 +60,7 @@ class FlatBody:
         self._colours = colours
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view of the top's own room; no light falls on it."""
+        """Draw the top as ``view`` sees it, a view in the axes of the top; no light falls on it."""
         seen, middles = view.project(self._points), view.project(self._middles)
         order = drawing_order(view.eye, self._heights)
         canvas.touch(seen, 0)

@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
+from anim.picture.environment import darkness, environment, of_darkness
 from anim.picture.light import places
 from anim.picture.lit_surface import LitSurface
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
-from anim.picture.room import darkness, of_darkness, room
 from anim.picture.settings import RGB, RenderSettings, colour
 from anim.picture.soft_shadow import SoftShadow
 from anim.picture.solid import drawing_order
@@ -34,13 +34,13 @@ MIN_SMOOTH_COSINE = np.cos(np.radians(25))
 
 
 class ShadedBody:
-    """The top under a light that is far away in the direction ``light`` (3,), a unit vector of the room."""
+    """The top under a light that is far away in the direction ``light`` (3,), a unit vector."""
 
     def __init__(
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, smooth: bool, dark: float
     ) -> None:
         self._points, self._smooth, self.light = mesh.points, smooth, light
-        aside, low = np.arctan2(light[1], light[0]), np.radians(room()["light"]["window"])
+        aside, low = np.arctan2(light[1], light[0]), np.radians(environment()["light"]["window"])
         across = np.cos(low) * np.array([np.cos(aside), np.sin(aside)])
         self._window = np.append(across, np.sin(low))
         self._rim = of_darkness("light", "rim", dark)
@@ -56,7 +56,7 @@ class ShadedBody:
         self._encoded = _encoding()
 
     def draw(self, canvas: Surface, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
+        """Draw the top as ``view`` sees it, a view in the axes of the top, which ``rotation`` has turned."""
         self._paint(canvas, [view], [rotation], self.paints)
 
     def expose(
@@ -118,7 +118,7 @@ class ShadedBody:
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
-        light, numbers = self.light @ rotation, room()["light"]
+        light, numbers = self.light @ rotation, environment()["light"]
         up, towards = self._normals @ rotation[2], view.eye[:3] / np.linalg.norm(view.eye[:3])
         half = self._window @ rotation + towards
         half /= np.linalg.norm(half)
@@ -187,7 +187,7 @@ class Shaded(Style):
 
     def paper_of(self, settings: RenderSettings) -> RGB:
         """Return the background of the settings, or the paper of the environment."""
-        return colour("background", settings.background or room()["paper"]["light"])
+        return colour("background", settings.background or environment()["paper"]["light"])
 
     def scene(self, model: Model, settings: RenderSettings) -> tuple[View, LitSurface]:
         """Return the projection and the ground."""

@@ -23,7 +23,7 @@ class Element(PrintedBySympy):
 
     __slots__ = ("field",)
 
-    field: Any  # a ring, which stands above this room
+    field: Any  # a ring, of a higher layer than this module
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"elements of {self.field} are immutable")

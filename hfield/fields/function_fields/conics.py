@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 
 class RamifiedError(ArithmeticError):
-    """Raised inside this room when a place turns out to be ramified."""
+    """Raised inside this module when a place turns out to be ramified."""
 
     def __init__(self, place: Any) -> None:
         super().__init__(str(place))

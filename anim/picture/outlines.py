@@ -84,7 +84,7 @@ def reach_under(rim: Floats, inside: Floats) -> Rim:
 def outlines(low: Rim, high: Rim, keys: KeyArray) -> Iterator[tuple[int, list[Floats]]]:
     """Yield ``(key, loops)`` for each run: closed polygons (k, 2) to be filled together, in drawing order.
 
-    ``keys`` (ring,) is each face's colour or ``HIDDEN``. With one colour the rims may be those of the room,
+    ``keys`` (ring,) is each face's colour or ``HIDDEN``. With one colour the rims may be those in space,
     (ring, 3).
     """
     n = len(keys)

@@ -3,8 +3,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from anim.picture import merge
-from anim.picture.merge import HIDDEN, Rim, outlines, runs
+from anim.picture import outlines as outlines_module
+from anim.picture.outlines import HIDDEN, Rim, outlines, runs
 
 keys = st.integers(3, 24).flatmap(lambda n: arrays(np.int64, n, elements=st.integers(-1, 1)))
 
@@ -43,12 +43,12 @@ def test_neighbouring_runs_differ(keys):
 @given(keys)
 def test_outlines_without_overlap_have_the_area_of_the_faces(keys):
     low, high = rims(len(keys))
-    before = merge.OVERLAP
-    merge.OVERLAP = 0.0
+    before = outlines_module.OVERLAP
+    outlines_module.OVERLAP = 0.0
     try:
         found = list(outlines(Rim(low), Rim(high), keys))
     finally:
-        merge.OVERLAP = before
+        outlines_module.OVERLAP = before
     one_face = (area(low) - area(high)) / len(keys)
     for key in (0, 1):
         total = sum(area(loop) for k, loops in found for loop in loops if k == key)
@@ -83,6 +83,6 @@ def test_a_strip_is_as_wide_near_the_point_as_at_the_rim():
     (_, (first,)), _ = outlines(Rim(np.zeros((n, 2))), Rim(rim), keys)
     # The common edge is the y axis; the neighbour lies at x < 0.
     reach = -first[:, 0].min()
-    assert 0.9 * merge.OVERLAP < reach <= merge.OVERLAP + 1e-9
-    near = first[first[:, 0] < -0.6 * merge.OVERLAP]
+    assert 0.9 * outlines_module.OVERLAP < reach <= outlines_module.OVERLAP + 1e-9
+    near = first[first[:, 0] < -0.6 * outlines_module.OVERLAP]
     assert near[:, 1].min() < 5

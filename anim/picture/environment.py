@@ -1,4 +1,4 @@
-"""The room that the top stands in: one description, `room.toml`, for pictures, films and the page."""
+"""The environment of the top, read from `environment.toml`: paper, light, shadow and ground."""
 
 import tomllib
 from functools import cache
@@ -16,13 +16,13 @@ Light = NDArray[np.float32]
 
 
 @cache
-def room() -> dict[str, Any]:
-    """Return the description of the room, table by table.
+def environment() -> dict[str, Any]:
+    """Return the description of the environment, table by table.
 
-    >>> room()["paper"]["light"]
+    >>> environment()["paper"]["light"]
     '#e9ecef'
     """
-    return tomllib.loads((files(__package__) / "room.toml").read_text(encoding="utf-8"))
+    return tomllib.loads((files(__package__) / "environment.toml").read_text(encoding="utf-8"))
 
 
 def darkness(paper: RGB) -> float:
@@ -32,14 +32,16 @@ def darkness(paper: RGB) -> float:
 
 
 def of_darkness(table: str, name: str, dark: float) -> float:
-    """Return a number of the room for a paper so dark."""
-    light, other = float(room()[table][name]), float(room()["dark"][name])
+    """Return a number of the environment for a paper so dark."""
+    light, other = float(environment()[table][name]), float(environment()["dark"][name])
     return light + dark * (other - light)
 
 
 def trace_of(paper: RGB) -> RGB:
     """Return the colour of the apex's path on a paper."""
-    shown: RGB = colour("trace", room()["trace"]["dark" if darkness(paper) > 0.5 else "light"])
+    shown: RGB = colour(
+        "trace", environment()["trace"]["dark" if darkness(paper) > 0.5 else "light"]
+    )
     return shown
 
 
@@ -49,7 +51,7 @@ def ground(view: View, settings: RenderSettings, paper: RGB) -> Light:
 
     width, height = settings.size
     picture = np.empty((height, width, 3), np.float32)
-    numbers = room()["ground"]
+    numbers = environment()["ground"]
     lit_ground(
         picture,
         to_ground(view, height),
@@ -72,6 +74,6 @@ def to_ground(view: View, height: int) -> Floats:
 
 def direction(camera: Camera) -> Floats:
     """Return the unit vector (3,) towards the light, which is far away."""
-    a = np.radians(camera.azimuth + room()["light"]["aside"])
-    e = np.radians(room()["light"]["height"])
+    a = np.radians(camera.azimuth + environment()["light"]["aside"])
+    e = np.radians(environment()["light"]["height"])
     return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
