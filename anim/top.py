@@ -78,7 +78,7 @@ class Top:
         :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a ``settings`` in
         three-dimensional axes, which have a view of their own.
         """
-        from anim.in_axes import draw_in_axes
+        from anim.matplotlib_axes import draw_in_axes
 
         return draw_in_axes(self.model, self.motion, ax, t, settings)
 

@@ -2,7 +2,7 @@ from .alignment import Similarity as Similarity
 from .alignment import align as align
 from .alignment import align_points as align_points
 from .alignment import align_similarity as align_similarity
-from .bench.own import benchmark as benchmark
+from .bench.user_benchmark import benchmark as benchmark
 from .curves.angular_velocity import angular_velocity as angular_velocity
 from .curves.angular_velocity import integrate as integrate
 from .curves.cumulative import BSpline as BSpline
@@ -37,7 +37,6 @@ from .plane import R2 as R2
 from .plane import reflect2 as reflect2
 from .plane import reflection as reflection
 from .plane import rotate2 as rotate2
-from .pool import threads as threads
 from .precompile import warm_up as warm_up
 from .program_axes import change_of_axes as change_of_axes
 from .program_axes import convert_points as convert_points
@@ -50,4 +49,5 @@ from .rigid import sclerp as sclerp
 from .rigid_motions import Screw as Screw
 from .rotation import Rotation as Rotation
 from .swing_twist import swing_twist as swing_twist
+from .thread_count import threads as threads
 from .uncertain import Uncertain as Uncertain

@@ -23,7 +23,7 @@ from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import quiet
 from rotation.native import builtins, tensors
 from rotation.native.entry import MUCH
-from rotation.pool import threads
+from rotation.thread_count import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about 3, and 0.04 for each step

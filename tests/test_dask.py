@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from hfield import census
+from hfield import surveys
 from hfield.cli import main
 from hfield.core.executors import InProcess
 from hfield.ledger.registry import claims
@@ -68,7 +68,7 @@ def test_verify_on_a_cluster(cluster, capsys):
 def test_a_survey_outlives_a_worker(cluster, tmp_path):
     """One of two workers is killed in the middle: nothing is lost, and nothing comes twice."""
     path = tmp_path / "rows.jsonl"
-    pairs = census.definite_pairs(range(2, 250), range(1, 4))
+    pairs = surveys.definite_pairs(range(2, 250), range(1, 4))
     with cluster.get_client() as client:
         victim = next(iter(client.run(os.getpid).values()))
     killed = []

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from hfield.cli.output import Sink, open_output
 
 if TYPE_CHECKING:
-    from hfield.ledger.matrix import Style
+    from hfield.ledger.claims_table import Style
     from hfield.presenting import Part
 
 

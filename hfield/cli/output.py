@@ -19,7 +19,7 @@ from hfield.core.files import whole_file
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
-    from hfield.ledger.matrix import Style
+    from hfield.ledger.claims_table import Style
 
 _PLAIN = {"√": "sqrt", "−": "-", "·": "*", "×": "x", "…": "...", "ℚ": "QQ", "ℝ": "RR", "ℂ": "CC"}
 _PLAIN |= {"ℤ": "ZZ", "⇒": "=>", "⇔": "<=>", "≠": "!=", "∀": "all", "∃": "exists", "∈": "in"}
@@ -78,7 +78,7 @@ class Sink:
 
     def style(self) -> Style:
         """Return what this place can show: its width, unicode, colours."""
-        from hfield.ledger.matrix import Style
+        from hfield.ledger.claims_table import Style
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"

@@ -11,7 +11,7 @@ from hfield.errors import HFieldError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
-from hfield.ledger.matrix import Style
+from hfield.ledger.claims_table import Style
 from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
 from hfield.notation import element_text
 from hfield.presenting import hanging

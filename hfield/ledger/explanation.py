@@ -9,9 +9,9 @@ from hfield.fields.base.latex_names import latex_name
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
+from hfield.ledger.claims_table import Style
 from hfield.ledger.columns import split_columns
 from hfield.ledger.decision_lines import decision_lines, wrapped
-from hfield.ledger.matrix import Style
 from hfield.ledger.registry import find_all
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from hfield.ledger.claim import Row
+from hfield.ledger.claims_table import MARKS, marked
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import MARKS, marked
 from hfield.ledger.report import conclusion, totals
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text

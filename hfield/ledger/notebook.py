@@ -11,8 +11,8 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row
+from hfield.ledger.claims_table import LATEX_MARKS, Style, marked
 from hfield.ledger.columns import split_columns
-from hfield.ledger.matrix import LATEX_MARKS, Style, marked
 from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows

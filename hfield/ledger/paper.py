@@ -12,9 +12,9 @@ from hfield.errors import NotationError, shorten
 from hfield.fields.base.latex_names import latex_name
 from hfield.latex import enumeration, long_table, words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
+from hfield.ledger.claims_table import LATEX_MARKS, marked
 from hfield.ledger.decision_lines import scope_text, worked_out
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import LATEX_MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Row
+from hfield.ledger.claims_table import Style, matrix, tally
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import Style, matrix, tally
 from hfield.ledger.run import as_expected, contradictions
 from hfield.ledger.wording import witness_text
 from hfield.presenting import aligned, hanging

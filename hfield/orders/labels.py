@@ -16,9 +16,9 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, NotationError, UndecidedError, shorten
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.basis import basis_of
+from hfield.orders.generated_orders import checked_ring
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, spanned
-from hfield.orders.rings import checked_ring
 from hfield.orders.standard_orders import eichler_order
 from hfield.orders.ternary_forms import TernaryForm, form_of_order, read_form
 

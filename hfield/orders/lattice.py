@@ -35,6 +35,7 @@ from hfield.orders import (
     element_factors,
     equivalence,
     foreign_writing,
+    generated_orders,
     hermite,
     ideal_generators,
     ideal_products,
@@ -50,7 +51,6 @@ from hfield.orders import (
     pseudo_bases,
     quadratic_orders,
     related_orders,
-    rings,
     short_elements,
     ternary_forms,
     units,
@@ -444,7 +444,7 @@ class Order(WithStableClasses, Certified, Lattice):
         Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains
         elements that are not integral.
         """
-        return cls(rings.generated(algebra, elements))
+        return cls(generated_orders.generated(algebra, elements))
 
     @classmethod
     def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
@@ -463,7 +463,7 @@ class Order(WithStableClasses, Certified, Lattice):
     @classmethod
     def from_lattice(cls, lattice: Lattice) -> Order:
         """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
-        return cls(rings.checked_ring(lattice.value))
+        return cls(generated_orders.checked_ring(lattice.value))
 
     @overload
     def __and__(self, other: Order) -> Order: ...

@@ -24,10 +24,10 @@ from hfield.orders import mass_formula
 from hfield.orders.base import Base
 from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import basis_of
+from hfield.orders.generated_orders import generated
 from hfield.orders.lattice_values import LatticeValue, discriminant, hermite_form
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.maximal_orders import eichler_suborder, overorder
-from hfield.orders.rings import generated
 from hfield.orders.validation import expect_coprime, positive
 
 

@@ -7,7 +7,7 @@ from html import escape
 
 from hfield.errors import NotationError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
-from hfield.ledger.matrix import MARKS
+from hfield.ledger.claims_table import MARKS
 from hfield.prover.statements.mathml import to_mathml
 from hfield.prover.statements.trees import conjuncts
 from hfield.syntax import parse

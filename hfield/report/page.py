@@ -21,14 +21,14 @@ from itertools import groupby
 
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Claim, Row, by_claim
+from hfield.ledger.claims_table import MARKS, columns_of, marked, tally
 from hfield.ledger.errata import Erratum, errata
-from hfield.ledger.matrix import MARKS, columns_of, marked, tally
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
 from hfield.report.chapters import Chapter
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
-from hfield.report.words import Language, term
+from hfield.report.page_texts import Language, term
 
 
 def page(

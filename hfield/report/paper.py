@@ -10,7 +10,7 @@ from hfield.ledger.claim import Row, by_claim
 from hfield.ledger.paper import explanation, marks, slips
 from hfield.ledger.report import totals
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS
-from hfield.report.words import LANGUAGES
+from hfield.report.page_texts import LANGUAGES
 
 
 def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) -> str:

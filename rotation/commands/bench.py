@@ -62,9 +62,9 @@ def run(args: Namespace) -> int:
     _one_thread_for_blas()
     from rotation.bench.chart import try_chart, write_chart
     from rotation.bench.measure import Settings, run_test
-    from rotation.bench.own import chosen_tests, with_own
     from rotation.bench.results import as_json, table
-    from rotation.bench.ways.own import OwnFunctionError, functions_of, importing_from
+    from rotation.bench.user_benchmark import chosen_tests, with_own
+    from rotation.bench.ways.user_functions import OwnFunctionError, functions_of, importing_from
     from rotation.kernels import threads as available
 
     frames, repeats, seconds = QUICK if args.quick else FULL

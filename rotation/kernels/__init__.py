@@ -15,12 +15,12 @@ from hfield.compiling import machine_code
 from hfield.compiling.memory import address, in_one_piece
 from hfield.compiling.threads import share
 from rotation.arrays import Array
-from rotation.kernels import twins
+from rotation.kernels import numpy_kernels
+from rotation.kernels.numpy_kernels import Name
 from rotation.kernels.strides import walk
-from rotation.kernels.twins import Name
 from rotation.native import builtins
 from rotation.native.strided_loop import Operand, Way, strided_loop
-from rotation.pool import threads
+from rotation.thread_count import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
 
@@ -107,7 +107,7 @@ def _run(
         kinds.append((a.shape[-1], a.dtype.char, strides[0], strides[2]))
     kernel = _kernel(name, tuple(kinds), out is not None)
     if kernel is None:
-        return twins.run(name, (points, *parameters), out)
+        return numpy_kernels.run(name, (points, *parameters), out)
     words = (ctypes.c_int64 * len(table))(*table)
     pieces = way.outer * way.inner // grain + 1
     answer = share(kernel, pieces, (arrays, words), ctypes.addressof(words))

@@ -14,7 +14,7 @@ from hfield.compiling import machine_code
 from hfield.compiling.instructions import module
 from rotation.arrays import Array
 from rotation.coordinates import middling
-from rotation.kernels import twins
+from rotation.kernels import numpy_kernels
 from rotation.native import builtins, tracing
 from rotation.native.pairs import Pair, two_product, two_sum
 from rotation.native.symbols import Lanes, Program
@@ -26,7 +26,7 @@ def cumulative(q: Array) -> Array:
     """Return the running products of the rows of ``q`` (N, 4), the newest on the left, normalised."""
     loop = _loop()
     if loop is None:
-        return twins.cumulative(q)
+        return numpy_kernels.cumulative(q)
     out = np.empty_like(q)
     table = (ctypes.c_int64 * 2)(q.ctypes.data, out.ctypes.data)
     loop(len(q), ctypes.addressof(table))

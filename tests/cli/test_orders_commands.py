@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from hfield import QuaternionAlgebra, census
+from hfield import QuaternionAlgebra, surveys
 from hfield.cli import main, orders
 from hfield.cli.commands.brandt import polynomial
 from hfield.cli.commands.survey import numbers
@@ -182,7 +182,7 @@ def test_bad_input(capsys, tmp_path, monkeypatch, words, hint):
 
 def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_path, monkeypatch):
     rows = tmp_path / "rows.jsonl"
-    whole, found = census.run, []
+    whole, found = surveys.run, []
 
     def stopped(*words):
         yield next(iter(whole(*words)))
@@ -193,14 +193,14 @@ def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_p
             found.extend(some)
             yield some
 
-    monkeypatch.setattr(census, "run", stopped)
+    monkeypatch.setattr(surveys, "run", stopped)
     status, _, err = run(capsys, "survey", "2..200", "-o", str(rows))
     kept = len(rows.read_text().splitlines())
     assert status == 130
     assert f"{kept} of 65 rows are in {rows}; the same command goes on there" in " ".join(
         err.split()
     )
-    monkeypatch.setattr(census, "run", watched)
+    monkeypatch.setattr(surveys, "run", watched)
     assert run(capsys, "survey", "2..200", "-o", str(rows))[0] == 0
     assert 0 < kept < len(rows.read_text().splitlines()) == kept + len(found)
 
@@ -283,7 +283,7 @@ def test_a_survey(capsys):
         json.loads(line)
         for line in page(capsys, "survey", "2..31", "--levels", "1..3").splitlines()
     ]
-    pairs = census.definite_pairs(range(2, 32), range(1, 4))
+    pairs = surveys.definite_pairs(range(2, 32), range(1, 4))
     assert sorted((r["discriminant"], r["level"]) for r in rows) == sorted(pairs)
     assert (30, 1) in pairs
     assert (6, 1) not in pairs
@@ -380,7 +380,7 @@ def test_a_survey_in_processes(capsys, tmp_path):
     page(capsys, "survey", "2..40", "-o", str(path), "--jobs", "2", "--most", "1")
     rows = [json.loads(line) for line in path.read_text().splitlines()]
     assert all((row["type_number"] is None) == (row["class_number"] > 1) for row in rows)
-    assert len(rows) == len(census.definite_pairs(range(2, 41), [1]))
+    assert len(rows) == len(surveys.definite_pairs(range(2, 41), [1]))
 
 
 def test_parquet(capsys, tmp_path):
@@ -389,7 +389,7 @@ def test_parquet(capsys, tmp_path):
     page(capsys, "survey", "2..40", "-o", str(path))
     table = parquet.read_table(path).to_pylist()
     assert [row["discriminant"] for row in table] == [
-        d for d, _ in census.definite_pairs(range(2, 41), [1])
+        d for d, _ in surveys.definite_pairs(range(2, 41), [1])
     ]
     assert list(tmp_path.iterdir()) == [path]
 

@@ -3,10 +3,10 @@
 import pytest
 
 from hfield.ledger.claim import PANEL, Claim, Row
+from hfield.ledger.claims_table import Style, matrix
 from hfield.ledger.columns import head, split_columns
 from hfield.ledger.errata import errata
 from hfield.ledger.markdown import markdown
-from hfield.ledger.matrix import Style, matrix
 from hfield.ledger.notebook import Report
 from hfield.ledger.report import report, summary, totals
 from hfield.ledger.selection import SelectionError, rows_to_decide

@@ -5,7 +5,7 @@ from random import Random
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders import hermite, lattice_values, maximal_orders, rings
+from hfield.orders import generated_orders, hermite, lattice_values, maximal_orders
 from hfield.orders.kernels import general, rank4
 from hfield.orders.lattice_values import LatticeValue
 from tests.orders.random_lattices import algebra
@@ -29,7 +29,7 @@ def test_maximal_orders_without_and_with_a_kernel() -> None:
             for kernel in (rank4.first_order, general.first_order)
         ]
         for order in orders:
-            assert rings.checked_ring(order) is order
+            assert generated_orders.checked_ring(order) is order
             assert lattice_values.discriminant(order) == ambient.discriminant
 
 

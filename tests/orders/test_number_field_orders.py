@@ -11,9 +11,9 @@ import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import TooLargeError
+from hfield.orders.generated_orders import checked_ring
 from hfield.orders.lattice import Lattice, Order
 from hfield.orders.orders_at_primes import OrderAtPrime
-from hfield.orders.rings import checked_ring
 from tests.subcases import share_quick
 
 # class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is

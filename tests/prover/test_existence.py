@@ -204,9 +204,9 @@ def test_a_field_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
 
 
 def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
-    from hfield.prover.existence import places
+    from hfield.prover.existence import given_values
 
-    decided, refuted = places.decide_closed, []
+    decided, refuted = given_values.decide_closed, []
 
     def first_without_evidence(problem):
         found = decided(problem)
@@ -214,7 +214,7 @@ def test_a_place_with_evidence_is_sought_where_the_first_has_none(monkeypatch):
             refuted.append(found)
         return replace(found, evidence=None) if len(refuted) == 1 else found
 
-    monkeypatch.setattr(places, "decide_closed", first_without_evidence)
+    monkeypatch.setattr(given_values, "decide_closed", first_without_evidence)
     found = prove("exists q: q**2 == s", "QQ")
     assert (found.verdict, len(refuted)) == ("refuted", 2)
     assert found.certificate is not None

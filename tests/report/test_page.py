@@ -19,7 +19,7 @@ from hfield.report import chapters as chapters_module
 from hfield.report.chapters import Chapter, ChapterError, chapters
 from hfield.report.markup import anchor
 from hfield.report.page import page
-from hfield.report.words import ENGLISH, POLISH, term
+from hfield.report.page_texts import ENGLISH, POLISH, term
 
 ROOT = Path(__file__).parents[2]
 VOID = {"meta", "link", "input", "br", "img"}

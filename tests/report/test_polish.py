@@ -15,7 +15,7 @@ from hfield.ledger.translated import Translation, is_formula
 from hfield.ledger.wording import witness_text
 from hfield.report.markup import formula
 from hfield.report.page import Certificates, page
-from hfield.report.words import Language
+from hfield.report.page_texts import Language
 from rotation.figures import FIGURES
 from rotation.report import LETTERING
 

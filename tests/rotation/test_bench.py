@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hfield.cli import main
-from rotation.bench import measure, own, ways
+from rotation.bench import measure, user_benchmark, ways
 from rotation.bench.measure import TOLERANCE, Settings, run_test
 from rotation.bench.results import as_json, ratios_of, table
 from rotation.bench.tasks import TESTS
@@ -251,7 +251,7 @@ def test_one_test_alone_as_json_in_a_file(number, count, run, tmp_path):
 
 
 def test_a_wrong_way_gives_status_1(run, monkeypatch):
-    monkeypatch.setattr(own, "WAYS", (copy(), spoilt()))
+    monkeypatch.setattr(user_benchmark, "WAYS", (copy(), spoilt()))
     status, out, err = run("--test", "1")
     assert status == 1
     assert "not timed" in out

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from rotation import R_x, R_y, R_z, RigidTransform, Rotation, rotate, rotate_euler
 from rotation.euler import SEQUENCES
-from rotation.kernels import twins
+from rotation.kernels import numpy_kernels
 from rotation.plane import R2, reflection, rotate2
 from tests.rotation.reference import mp
 from tests.subcases import slow, subcases
@@ -39,7 +39,7 @@ MATRICES: dict[str, Callable[[Any], Any]] = {
         [rotate_euler(e, a[:, None], "Z", degrees=True) for e in E], axis=-1
     ),
     "the plain twin": lambda a: np.stack(
-        [twins.axis_angle(e, E[2:], a, degrees=True) for e in E], axis=-1
+        [numpy_kernels.axis_angle(e, E[2:], a, degrees=True) for e in E], axis=-1
     ),
 }
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hfield.core.product import Constants, conjugate, multiply, norm
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
-from rotation.kernels import twins
+from rotation.kernels import numpy_kernels
 from tests.subcases import subcases
 
 RNG = np.random.default_rng(20)
@@ -58,16 +58,18 @@ def test_every_layout_gives_what_the_twin_gives(kind: str, out_kind: str) -> Non
 
     points, out = points_and_out()
     kernels.one(points, MATRIX, out)
-    np.testing.assert_allclose(out, twins.one(POINTS, MATRIX), rtol=0, atol=4e-15)
+    np.testing.assert_allclose(out, numpy_kernels.one(POINTS, MATRIX), rtol=0, atol=4e-15)
     points, out = points_and_out()
     assert not kernels.axis_angle(points, axes, angles, out)
-    np.testing.assert_allclose(out, twins.axis_angle(POINTS, AXES, ANGLES), rtol=0, atol=2e-14)
+    np.testing.assert_allclose(
+        out, numpy_kernels.axis_angle(POINTS, AXES, ANGLES), rtol=0, atol=2e-14
+    )
     points, out = points_and_out()
     assert not kernels.quaternions(points, q, out)
-    np.testing.assert_allclose(out, twins.quaternions(POINTS, QUATS), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(out, numpy_kernels.quaternions(POINTS, QUATS), rtol=0, atol=1e-14)
     points, out = points_and_out()
     kernels.euler(points, euler, (0, 1, 2), True, out)
-    expected = twins.euler(POINTS, EULER, (0, 1, 2), True)
+    expected = numpy_kernels.euler(POINTS, EULER, (0, 1, 2), True)
     np.testing.assert_allclose(out, expected, rtol=0, atol=1e-14)
 
 
@@ -78,7 +80,7 @@ def test_the_angles_may_be_components_of_the_axes(layout: Any) -> None:
         axes = turn(AXES)
         angles = axes[:, k] if layout == "aos" else axes[k]
         turned = rotate(turn(POINTS), axes, angles, layout=layout)
-        expected = turn(twins.axis_angle(POINTS, AXES, AXES[:, k]))
+        expected = turn(numpy_kernels.axis_angle(POINTS, AXES, AXES[:, k]))
         np.testing.assert_allclose(turned, expected, rtol=0, atol=1e-14)
 
 
@@ -120,7 +122,7 @@ def test_batches_broadcast_as_in_numpy(
 ) -> None:
     p, a = RNG.normal(size=(*points, 3)), RNG.normal(size=(*axis, 3))
     t = np.asarray(RNG.normal(size=angle))
-    expected = twins.axis_angle(p, a, t)
+    expected = numpy_kernels.axis_angle(p, a, t)
     turned = rotate(p, a, t)
     assert turned.shape == expected.shape
     np.testing.assert_allclose(turned, expected, rtol=0, atol=1e-14)
@@ -128,7 +130,7 @@ def test_batches_broadcast_as_in_numpy(
     turned = rotate(first(p).copy(), first(a).copy(), t, layout="soa")
     np.testing.assert_allclose(turned, first(expected), rtol=0, atol=1e-14)
     q = np.concatenate([np.ones((*axis, 1)), a], axis=-1)
-    expected = twins.quaternions(p, q)
+    expected = numpy_kernels.quaternions(p, q)
     np.testing.assert_allclose(rotate_quat(p, q), expected, rtol=0, atol=1e-14)
 
 
@@ -169,7 +171,7 @@ def test_running_products_are_the_twins() -> None:
     q = QUATS[:400] * np.logspace(-200, 200, 400)[:, None]
     products = kernels.cumulative(q)
     unit = QUATS[:400] / np.linalg.norm(QUATS[:400], axis=-1, keepdims=True)
-    np.testing.assert_allclose(products, twins.cumulative(unit), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(products, numpy_kernels.cumulative(unit), rtol=0, atol=1e-13)
     assert kernels.cumulative(np.empty((0, 4))).shape == (0, 4)
 
 
@@ -180,11 +182,15 @@ def test_every_operand_may_lie_in_a_way_of_its_own() -> None:
         points, axes, out = layouts(POINTS)[p], layouts(AXES)[a], layouts(0 * POINTS)[o]
         angles = layouts(ANGLES[:, None])[t][:, 0]
         assert not kernels.axis_angle(points, axes, angles, out)
-        np.testing.assert_allclose(out, twins.axis_angle(POINTS, AXES, ANGLES), rtol=0, atol=2e-14)
+        np.testing.assert_allclose(
+            out, numpy_kernels.axis_angle(POINTS, AXES, ANGLES), rtol=0, atol=2e-14
+        )
     for axes, angles in ((AXES[:1], ANGLES), (AXES, ANGLES[:1]), (AXES[:1], ANGLES[:1])):
         out = np.empty_like(POINTS)
         kernels.axis_angle(POINTS, axes, angles, out)
-        np.testing.assert_allclose(out, twins.axis_angle(POINTS, axes, angles), rtol=0, atol=2e-14)
+        np.testing.assert_allclose(
+            out, numpy_kernels.axis_angle(POINTS, axes, angles), rtol=0, atol=2e-14
+        )
 
 
 @pytest.mark.parametrize("seq", [(0,), (2, 1), (0, 1, 0), (2, 0, 1)])
@@ -194,9 +200,9 @@ def test_one_two_and_three_angles(seq: tuple[int, ...], backward: bool) -> None:
     kernels.euler(POINTS, angles, seq, backward, out)
     expected = POINTS
     for axis, k in zip(seq, range(len(seq))[:: -1 if backward else 1], strict=True):
-        expected = twins.axis_angle(expected, np.eye(3)[axis], angles[:, k])
+        expected = numpy_kernels.axis_angle(expected, np.eye(3)[axis], angles[:, k])
     np.testing.assert_allclose(out, expected, rtol=0, atol=2e-14)
-    plain = twins.euler(POINTS, angles, seq, backward)
+    plain = numpy_kernels.euler(POINTS, angles, seq, backward)
     np.testing.assert_allclose(plain, expected, rtol=0, atol=2e-14)
 
 
@@ -208,7 +214,9 @@ def test_threads_share_the_blocks_and_rare_rows_are_told_of_in_each() -> None:
         axes[33_333] *= 2.0**-900
         out = np.empty_like(points)
         assert not kernels.axis_angle(points, axes, angles, out)
-        np.testing.assert_allclose(out, twins.axis_angle(points, axes, angles), rtol=0, atol=2e-14)
+        np.testing.assert_allclose(
+            out, numpy_kernels.axis_angle(points, axes, angles), rtol=0, atol=2e-14
+        )
         axes[n - 1] = 0.0
         assert kernels.axis_angle(points, axes, angles, out)
     finally:

@@ -7,10 +7,10 @@ import pytest
 
 from hfield.cli import main
 from rotation import RotationError, benchmark, rotate, rotate_euler
-from rotation.bench import own
+from rotation.bench import user_benchmark
 from rotation.bench.measure import Settings
 from rotation.bench.ways import WAYS
-from rotation.bench.ways.own import OwnFileError, OwnFunctionError, functions_of, own_way
+from rotation.bench.ways.user_functions import OwnFileError, OwnFunctionError, functions_of, own_way
 from rotation.commands.bench import BLAS
 
 TINY = {"frames": 3, "repeats": 2, "seconds": 0.001, "threads": 1}
@@ -42,7 +42,7 @@ def matrices(points, angles):
 @pytest.fixture
 def few(monkeypatch):
     """Only the copy beside one's own."""
-    monkeypatch.setattr(own, "WAYS", WAYS[:1])
+    monkeypatch.setattr(user_benchmark, "WAYS", WAYS[:1])
 
 
 @pytest.fixture
@@ -130,7 +130,7 @@ def turned_but_one(points, axis, angle):
 def test_a_function_that_is_wrong_or_fails_is_named_before_anything_is_timed(
     function, said, monkeypatch
 ):
-    monkeypatch.setattr(own, "run_test", lambda *_: pytest.fail("timed first"))
+    monkeypatch.setattr(user_benchmark, "run_test", lambda *_: pytest.fail("timed first"))
     with pytest.raises(OwnFunctionError, match=said):
         benchmark(points=60, ways={"f": function}, **TINY)
 
@@ -156,13 +156,17 @@ def test_arguments_that_do_not_fit(words, said):
 
 
 def test_a_slow_function_is_timed_on_a_part(few, monkeypatch):
-    monkeypatch.setattr(own, "SLOW_POINTS", 5)
+    monkeypatch.setattr(user_benchmark, "SLOW_POINTS", 5)
     ticks = iter(range(100))
-    monkeypatch.setattr(own, "perf_counter", lambda: next(ticks))
-    tests = own.chosen_tests("1")
-    (_, way) = own.with_own({"mine": mine}, tests, Settings(points=60, frames=3, seconds=1.5))
+    monkeypatch.setattr(user_benchmark, "perf_counter", lambda: next(ticks))
+    tests = user_benchmark.chosen_tests("1")
+    (_, way) = user_benchmark.with_own(
+        {"mine": mine}, tests, Settings(points=60, frames=3, seconds=1.5)
+    )
     assert way.slow
-    (_, way) = own.with_own({"mine": mine}, tests, Settings(points=60, frames=3, seconds=15))
+    (_, way) = user_benchmark.with_own(
+        {"mine": mine}, tests, Settings(points=60, frames=3, seconds=15)
+    )
     assert not way.slow
 
 

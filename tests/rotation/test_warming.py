@@ -10,7 +10,7 @@ import pytest
 
 import rotation
 from rotation import kernels
-from rotation.kernels import chains, twins
+from rotation.kernels import chains, numpy_kernels
 
 ROOT = Path(rotation.__file__).parent.parent
 # Two loops, one for each precision, of more points than formulas do.
@@ -53,7 +53,7 @@ def test_warm_up_asks_for_every_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
         compiled.add("cumulative")
 
     monkeypatch.setattr(kernels, "_kernel", kernel)
-    monkeypatch.setattr(twins, "run", lambda *_: False)
+    monkeypatch.setattr(numpy_kernels, "run", lambda *_: False)
     monkeypatch.setattr(chains, "cumulative", cumulative)
     rotation.warm_up()
     assert compiled == set(kernels.__all__) - {"threads"}

@@ -36,7 +36,7 @@ from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.ring import Ring
 from hfield.checker.scalars.surds import Reals
 from hfield.checker.statement import HAMILTON, UNKNOWNS, Setting, read_statement
-from hfield.checker.vocabulary import linear_algebra, of_fields
+from hfield.checker.vocabulary import field_properties, linear_algebra
 from hfield.checker.vocabulary.lemmas import LEMMAS
 from hfield.checker.vocabulary.presentation import establish_presentation, read_presentation
 
@@ -59,7 +59,7 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], CheckResult]
-VOCABULARIES = (of_fields, linear_algebra, class_groups, orders)
+VOCABULARIES = (field_properties, linear_algebra, class_groups, orders)
 """Of orders in any algebra; the others are about H(F)."""
 SPECIAL: dict[str, Check] = {
     word: check for vocabulary in VOCABULARIES for word, check in vocabulary.CHECKS.items()

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from hfield.algebra.quaternion_algebra import QuaternionAlgebra
     from hfield.cli.commands.brandt_graph import BrandtGraph
-    from hfield.ledger.matrix import Style
+    from hfield.ledger.claims_table import Style
     from hfield.orders.lattice import ClassSet
 
 HELP = (

@@ -15,7 +15,7 @@ from hfield.checker.rejection import one_line
 from hfield.cli.parser import seconds, whole
 from hfield.cli.status import Waiting
 from hfield.errors import HFieldError
-from hfield.export.coq.bounded import MEMORY, SECONDS
+from hfield.export.coq.coqc_process import MEMORY, SECONDS
 
 if TYPE_CHECKING:
     from hfield.export.coq.coqc import Coqc

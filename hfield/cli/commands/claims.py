@@ -14,7 +14,7 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.ledger.claim import Claim
-    from hfield.ledger.matrix import Style
+    from hfield.ledger.claims_table import Style
 
 HELP = (
     "List the claims of the thesis: id, name, kind and statement. A star marks the headline claims."

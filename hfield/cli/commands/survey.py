@@ -14,7 +14,7 @@ from hfield.cli.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from hfield.census import Pair, Survey
+    from hfield.surveys import Pair, Survey
 
 HELP = (
     "Tabulate class numbers, masses, type numbers and units of the Eichler orders with "
@@ -72,7 +72,7 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute what is missing, and write it."""
-    from hfield import census
+    from hfield import surveys
     from hfield.core.executors import open_executor
     from hfield.core.journal import Journal
 
@@ -81,7 +81,7 @@ def run(args: Namespace) -> int:
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
             table = Columns() if out.stream.isatty() else None
-            for found in census.run(executor, pairs, most, set(), survey):
+            for found in surveys.run(executor, pairs, most, set(), survey):
                 lines = map(json.dumps, found) if table is None else table.lines(found)
                 out.write("\n".join(lines))
         return 0
@@ -100,7 +100,7 @@ def run(args: Namespace) -> int:
         done = _done(journal, survey.names)
         number = len(done & set(pairs))
         with open_executor(args.jobs, args.dask) as executor, Progress("pairs", number) as progress:
-            for found in census.run(executor, pairs, most, done, survey):
+            for found in surveys.run(executor, pairs, most, done, survey):
                 journal.append(found)
                 number += len(found)
                 progress(
@@ -163,13 +163,13 @@ def numbers(text: str, name: str) -> list[int]:
 
 def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     """Return the survey that the arguments describe, and its pairs."""
-    from hfield import census
+    from hfield import surveys
 
     levels = numbers(args.levels, "--levels")
     if args.field:
         if args.discriminants or args.groups:
             raise UsageError("--field surveys class sets over that field: leave D and --groups out")
-        return census.FIELDS, census.field_pairs(args.field, levels)
+        return surveys.FIELDS, surveys.field_pairs(args.field, levels)
     if not args.discriminants:
         raise UsageError("expected discriminants D such as 2..100, or --field F")
     wanted = numbers(args.discriminants, "D")
@@ -179,13 +179,13 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
             "survey a part at a time"
         )
     kind, count = ("an indefinite", "even") if args.groups else ("a definite", "odd")
-    pairs = (census.indefinite_pairs if args.groups else census.definite_pairs)(wanted, levels)
+    pairs = (surveys.indefinite_pairs if args.groups else surveys.definite_pairs)(wanted, levels)
     if not pairs:
         raise UsageError(
             f"these ranges contain no pair of {kind} discriminant, a product of an {count} number of primes, "
             "and a level prime to it"
         )
-    return census.GROUPS if args.groups else census.CLASSES, pairs
+    return surveys.GROUPS if args.groups else surveys.CLASSES, pairs
 
 
 def _done(journal: Any, names: tuple[str, str]) -> set[Pair]:

@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory, TemporaryFile, gettempdir
 from typing import IO
 
 from hfield.errors import HFieldError
-from hfield.export.coq.bounded import MEMORY, SECONDS
+from hfield.export.coq.coqc_process import MEMORY, SECONDS
 from hfield.export.coq.export import Export, library
 from hfield.export.coq.theorem import Theorem
 

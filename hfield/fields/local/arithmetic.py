@@ -12,8 +12,8 @@ from hfield.errors import RingError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import DIGITS, LocalField
-from hfield.fields.local.refinements import check_refinements
 from hfield.fields.local.square_roots import hensel
+from hfield.fields.local.symbol_precision import check_refinements
 from hfield.fields.quadratic_forms.global_field import GlobalField, known_field
 from hfield.fields.quadratic_forms.minimal_conics import Vector
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, found

@@ -34,7 +34,7 @@ from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
-from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
+from hfield.fields.number_fields.zeros_of_forms import Walk, expect_small_degree, not_met
 from hfield.fields.quadratic_forms.minimal_conics import Vector, kernel_at
 
 

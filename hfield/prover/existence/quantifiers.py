@@ -15,9 +15,9 @@ from hfield.prover.counterexamples.candidates import prime_search, ring_search, 
 from hfield.prover.decision import FIELD, FIELDS, PROVED, REFUTED, VACUOUS, Decision, undecided
 from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.prover.evaluation.searcher import Searcher, read_back
+from hfield.prover.existence.given_values import at_zero, by_places, refuted_at
 from hfield.prover.existence.isolation import isolated, isolated_alone
 from hfield.prover.existence.linear_systems import Case, linear_cases
-from hfield.prover.existence.places import at_zero, by_places, refuted_at
 from hfield.prover.existence.witness_terms import by_terms, combined, put_in
 from hfield.prover.existence.witnesses import MAX_PLACES_TRIED, by_roots, decide_closed
 from hfield.prover.methods import all_fields, universal

@@ -4,8 +4,8 @@ What can be laid out once before the first frame is, for every way: a layout of 
 points as quaternions. What depends on the frame's angles is inside the time.
 """
 
+from rotation.bench.ways.other_libraries import PEERS
 from rotation.bench.ways.ours import OURS
-from rotation.bench.ways.peers import PEERS
 from rotation.bench.ways.plain import PLAIN
 from rotation.bench.ways.printed import PRINTED
 from rotation.bench.ways.way import Way

@@ -8,7 +8,7 @@ import pytest
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, RingError, UndecidedError
-from hfield.fields.number_fields import walk
+from hfield.fields.number_fields import zeros_of_forms
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.places import ComplexPlace, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -205,7 +205,7 @@ def test_square_roots_in_division_algebras() -> None:
 def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
     """So many bases, and at most so many exact values on each, however large the coefficients are."""
     tried = []
-    combine = walk.combination
+    combine = zeros_of_forms.combination
 
     def counted(coefficients, basis):
         if not isinstance(
@@ -214,10 +214,10 @@ def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
             tried.append(coefficients)
         return combine(coefficients, basis)
 
-    monkeypatch.setattr(walk, "WALKED", 6)
+    monkeypatch.setattr(zeros_of_forms, "WALKED", 6)
     K = ring("QQ[s]/(s^6+1000003*s+7919)")
     a, x, y = K("s+2"), K("s^2+1"), K("3*s-1")
-    monkeypatch.setattr(walk, "combination", counted)
+    monkeypatch.setattr(zeros_of_forms, "combination", counted)
     with pytest.raises(UndecidedError, match="of each of 6 reduced bases"):
         solve_conic_number_field(K, a, x * x - a * y * y)
-    assert len(tried) <= 3 * K.degree + 6 * walk.MAX_ZEROS
+    assert len(tried) <= 3 * K.degree + 6 * zeros_of_forms.MAX_ZEROS

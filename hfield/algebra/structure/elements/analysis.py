@@ -17,8 +17,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from hfield.algebra.structure.elements.no_values import NO_POLAR_FORM, no_value
 from hfield.algebra.structure.elements.square_roots import square_roots
+from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no_value
 from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
 from hfield.fields.base.ring import Ring

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from hfield.algebra.structure.elements.no_values import NO_POLAR_FORM, no_value
+from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no_value
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Symbol
 from hfield.compiling.arithmetics import doubles

@@ -24,7 +24,13 @@ from rotation.bench.measure import (
 from rotation.bench.results import as_rows, table
 from rotation.bench.tasks import TESTS, Array, Test
 from rotation.bench.ways import WAYS, Way
-from rotation.bench.ways.own import Function, OwnFunctionError, definition_of, failure, own_way
+from rotation.bench.ways.user_functions import (
+    Function,
+    OwnFunctionError,
+    definition_of,
+    failure,
+    own_way,
+)
 from rotation.errors import RotationError
 from rotation.kernels import threads as available
 from rotation.namespaces import refuse_rows

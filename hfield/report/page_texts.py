@@ -13,7 +13,7 @@ from hfield.ledger.claim import Claim, Row
 from hfield.ledger.translated import TranslatedClaim, Translation
 from hfield.report.markup import Words, formula, prose
 
-_TABLE = json.loads(get_data("hfield.report", "words.json") or "{}")
+_TABLE = json.loads(get_data("hfield.report", "page_texts.json") or "{}")
 ENGLISH: Words = {key: said["en"] for key, said in _TABLE["words"].items()}
 POLISH: Words = {key: said["pl"] for key, said in _TABLE["words"].items()}
 LANGUAGES = {"en": ENGLISH, "pl": POLISH}
