@@ -1,4 +1,4 @@
-"""What the eye makes of the spin: bands that seem to stand, or to turn backwards.
+"""Find the bands that seem to stand, or to turn backwards, in a film of a fast spin.
 
 A film shows the top at instants. Colours that repeat after a period look the same whether the top has turned
 by an angle or by that angle less a whole number of periods; the eye sees the smallest of these turns.

@@ -1,4 +1,4 @@
-"""What the modules of a folder define, one thing a module, found by the modules' names."""
+"""List what the modules of a folder define, one thing for each module, by the names of the modules."""
 
 import ast
 from collections.abc import Iterator, Mapping

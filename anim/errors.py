@@ -1,4 +1,4 @@
-"""What can go wrong with the top: its shape, its motion, its pictures."""
+"""The errors of the package: shapes, motions, pictures."""
 
 from hfield.errors import HFieldError
 

@@ -1,4 +1,4 @@
-"""How a motion becomes a film: its seconds, its frames, and the frames a second.
+"""The seconds, frames and frames per second of a film of a motion.
 
 Of four numbers two decide: frames = fps · (seconds of the motion) / (time scale).
 """

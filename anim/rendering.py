@@ -1,4 +1,4 @@
-"""From a motion to a file: frames drawn in order, here or in other processes, and handed to a writer."""
+"""Draw the frames of a motion in order, in one process or in several, and write them to a file."""
 
 from __future__ import annotations
 

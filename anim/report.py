@@ -1,4 +1,4 @@
-"""What this package brings to ``hfield report``: the top, playing in a frame; on paper, a still."""
+"""The section of ``hfield report`` about the top: an animation in a frame, and a still picture on paper."""
 
 from __future__ import annotations
 

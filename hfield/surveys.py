@@ -1,4 +1,4 @@
-"""Surveys of class sets and of groups of units, computed row by row.
+"""Compute tables of class sets, or of groups of units, over ranges of algebras, row by row.
 
 Rows are appended to a journal as they come, whole pieces at a time, and only what is missing in it is
 computed.

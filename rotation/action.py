@@ -1,4 +1,4 @@
-"""What rotations do to points, as formulas on rows: the way of few points.
+"""Rotate few points: formulas on rows, for every representation of rotations.
 
 Within 5·2⁻⁵²·‖v‖ of the exact image, as the kernels are; a row of points with NaN or inf becomes NaN.
 """

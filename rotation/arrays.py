@@ -1,4 +1,4 @@
-"""What every call on arrays has to say about its arguments: dtype, layout, shapes, memory. Said once.
+"""Check and convert array arguments: dtype, layout, shape, memory.
 
 ``layout="aos"`` (array of structures) keeps the components last: points ``(…, 3)``, quaternions
 ``(…, 4)``. ``layout="soa"`` (structure of arrays) keeps them first: ``(3, …)`` and ``(4, …)``. The other

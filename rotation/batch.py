@@ -1,4 +1,4 @@
-"""An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
+"""An immutable array of unit quaternions, the half of `Rotation` that stores them and knows shapes."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, Self

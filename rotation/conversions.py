@@ -1,4 +1,4 @@
-"""What a rotation is made from and read as: the half of `Rotation` that knows the representations."""
+"""The half of `Rotation` that converts representations: constructors ``from_…`` and methods ``as_…``."""
 
 from typing import Any, Self
 

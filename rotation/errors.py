@@ -1,4 +1,4 @@
-"""What can go wrong with rotations, as types; all are `HFieldError` and the builtin one expects."""
+"""The errors of the package: each is an `HFieldError` and a builtin error."""
 
 from hfield.errors import HFieldError
 

@@ -1,4 +1,4 @@
-"""What a notebook shows of rotations and rigid motions: a table, one row for each of the first few."""
+"""Show rotations and rigid motions in notebooks: a table with a row for each of the first few."""
 
 from __future__ import annotations
 

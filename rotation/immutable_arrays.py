@@ -1,4 +1,4 @@
-"""What immutable arrays of rotations and of rigid motions share: shapes, lengths, copies."""
+"""The base class of immutable arrays of rotations and of rigid motions: shapes, lengths, copies."""
 
 from abc import abstractmethod
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Which array library computes: numpy for everything plain, the array's own for all others.
+"""Choose the array library of a call: numpy for plain arguments, else that of the array.
 
 The conversions of this package are written against the Python array API standard, so an array of
 JAX, CuPy, torch or array-api-strict stays where it is. numpy is quiet inside them: a NaN in the input is

@@ -1,4 +1,4 @@
-"""Everything that is compiled on first use, compiled now."""
+"""Compile now all that is otherwise compiled on first use."""
 
 from collections.abc import Iterable
 from itertools import product

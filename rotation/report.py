@@ -1,4 +1,4 @@
-"""What this package brings to ``hfield report``: the figures of chapter 2 and the benchmark of 3.2."""
+"""The section of ``hfield report`` about rotations: the figures of chapter 2 and the benchmark of 3.2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Formulas on whole arrays, row by row the same: as machine code where it can be, else by the array library.
+"""Run formulas on the rows of arrays, as machine code where possible, else in the array library.
 
 A formula of a hundred operations on numpy arrays is a hundred calls, and on long ones a hundred passes over
 memory. `Formula` compiles it on its first use, in some hundredths of a second, into one loop

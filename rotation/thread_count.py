@@ -1,4 +1,4 @@
-"""How many threads a call may use; they are those of :mod:`hfield.compiling.threads`."""
+"""Set and return the number of threads that a call may use."""
 
 from hfield.compiling import threads as pool
 from rotation.errors import RotationError

@@ -1,9 +1,10 @@
-"""Reject retired words as names of modules and identifiers, and a few of them in prose, tests and pages too.
+"""Reject retired words as names of modules and identifiers, and a few of them in prose.
 
     python -m scripts.check_names            # the faults; exit status 1 if there are any
     python -m scripts.check_names --count    # how often each word stands where
 
-Each retired word has a plain one to use instead.
+Each retired word has a plain one to use instead. Prose is that of comments, docstrings and pages; of tests
+only the prose is read.
 """
 
 import ast
@@ -93,7 +94,11 @@ def sources() -> Iterator[Path]:
     """Yield the Python files, and the pages of the documentation."""
     for folder in PROSE_FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in (".py", ".md") and "_build" not in path.parts and path.name not in NEWS:
+            if (
+                path.suffix in (".py", ".md")
+                and "_build" not in path.parts
+                and path.name not in NEWS
+            ):
                 yield path
 
 

@@ -70,7 +70,7 @@ def graph(modules: Sources, stubs: Mapping[str, str] = {}) -> Graph:
 
 
 def _imports(node: ast.AST, modules: Graph, handed: dict[str, dict[str, str]]) -> Iterator[str]:
-    """Yield the modules that an import statement names; a name that a package re-exports leads to its module."""
+    """Yield the modules that an import statement names; a re-exported name leads to its module."""
     if isinstance(node, ast.Import):
         yield from (alias.name for alias in node.names if alias.name in modules)
     elif isinstance(node, ast.ImportFrom):

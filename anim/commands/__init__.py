@@ -1,1 +1,1 @@
-"""What a user types: `hfield render`."""
+"""The command `hfield render`."""

@@ -1,4 +1,4 @@
-"""From the arguments of ``hfield render`` to the things they describe: model, film, motion, settings."""
+"""Make the model, film, motion and settings that the arguments of ``hfield render`` describe."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a file goes: a hidden neighbour until it is whole, then the name asked for."""
+"""Write a file under a hidden name, and rename it when it is complete."""
 
 from __future__ import annotations
 

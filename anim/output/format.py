@@ -1,4 +1,4 @@
-"""What a film is besides its pictures, and what a format has to do with it."""
+"""Describe a film to the formats, and a format to the writer."""
 
 from __future__ import annotations
 

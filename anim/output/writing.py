@@ -1,4 +1,4 @@
-"""What is written by suffix: its kind and format, what would fail in the end, the file in its place."""
+"""Write a film or a picture in the format that the suffix of its name says."""
 
 from __future__ import annotations
 

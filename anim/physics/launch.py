@@ -1,4 +1,4 @@
-"""How a top is set going, and how long a motion may be."""
+"""The initial state of a top, and the length of its motion."""
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What a style is: the background of the top, and what draws the top itself."""
+"""The protocol of a style: it makes the background, and draws the top."""
 
 from abc import ABC, abstractmethod
 from typing import Any, Protocol, runtime_checkable

@@ -1,4 +1,4 @@
-"""What pictures are drawn on: pixels over a fixed background, put back before each picture.
+"""The pixels that pictures are drawn on; a fixed background is restored before each picture.
 
 Lit pictures are drawn by kernels of our own, which know how much of a pixel they cover; `canvas` adds the
 outlines of matplotlib's renderer.

@@ -1,4 +1,4 @@
-"""From one base ring into another: what ``change_ring`` does to scalars.
+"""Map scalars of one base ring into another, for ``change_ring``.
 
 Scalars travel as texts, in which a generator must keep its meaning: the class of x in GF(4) is not
 the x of GF(16), and a residue modulo 7 is no rational number.

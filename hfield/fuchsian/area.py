@@ -1,4 +1,4 @@
-"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas."""
+"""Compute the area of the group of an order, and its numbers of elliptic points and cusps, by formulas."""
 
 from __future__ import annotations
 

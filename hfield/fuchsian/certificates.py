@@ -1,4 +1,4 @@
-"""What a group of units of norm 1 is, and what its domain is, as certificates ``hfield-cert/2``."""
+"""Write groups of units of norm 1, and their domains, as certificates ``hfield-cert/2``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The claims × fields table for a terminal, and the marks it is made of."""
+"""Lay out the table of claims and fields for a terminal, with a mark for each verdict."""
 
 from __future__ import annotations
 

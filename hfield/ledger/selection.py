@@ -1,4 +1,4 @@
-"""Which claims and which of their rows are decided."""
+"""Select claims, and their rows, for a run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many elliptic points the group of an Eichler order over ℤ_K has, by Eichler's embedding numbers.
+"""Count the elliptic points of the group of an Eichler order over ℤ_K, by Eichler's embedding numbers.
 
 An elliptic point of order q is fixed by the units of norm 1 of an optimally embedded quadratic order S. It
 has 2q roots of unity, and generates L = K(ζ), with ζ of order 2q. A real place splits in the algebra and not

@@ -1,4 +1,4 @@
-"""Whether two ideals differ by an element, over any base, and which element that is.
+"""Decide whether two ideals are equivalent, over any base, and find an element that maps one onto the other.
 
 ``J = I·c`` means that c lies in ``I⁻¹·J`` and that N(c) generates ``N(J)/N(I)``. Up to squares of units there
 are finitely many such norms. In a totally definite algebra an element of such a norm is a vector of least

@@ -1,4 +1,4 @@
-"""Lattices that are rings: what elements generate over the integers, and whether a lattice is one."""
+"""Find the order that elements generate, and check that a lattice is an order."""
 
 from __future__ import annotations
 

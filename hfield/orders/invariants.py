@@ -1,4 +1,4 @@
-"""What an order is at the primes of its discriminant, over any base: level, Eichler symbols, conductor."""
+"""Local invariants of an order, over any base: level, Eichler symbols, conductor."""
 
 from __future__ import annotations
 

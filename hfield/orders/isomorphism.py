@@ -1,4 +1,4 @@
-"""Whether two orders are isomorphic, and by which conjugation, over any base."""
+"""Decide whether two orders are isomorphic, over any base, and find an element that conjugates them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is given to lattices, orders and ideals, read and checked: elements, numbers, sides."""
+"""Read and check the arguments of lattices, orders and ideals: elements, numbers, sides."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The texts of the page in each language."""
+"""Headings, labels and phrases of the page of a report, in each language."""
 
 from __future__ import annotations
 

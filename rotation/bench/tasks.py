@@ -1,4 +1,4 @@
-"""What the two tests of the thesis (3.2.1) compute in each frame, and what must come out.
+"""The two tests of the thesis (3.2.1): the computation of each frame, and its expected result.
 
 The points are uniform in the unit cube, as the thesis's ``random()`` makes them, drawn by numpy from a fixed
 seed; or they are a user's own.

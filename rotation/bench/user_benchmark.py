@@ -1,4 +1,4 @@
-"""The benchmark with a user's own points and functions: `rotation.benchmark`."""
+"""Run the benchmark with points and functions of the user: `rotation.benchmark`."""
 
 from __future__ import annotations
 

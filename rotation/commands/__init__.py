@@ -1,1 +1,1 @@
-"""What a user types: `hfield bench` and `hfield figures`."""
+"""The commands `hfield bench` and `hfield figures`."""

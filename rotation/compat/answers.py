@@ -1,4 +1,4 @@
-"""Answers that scipy gives where ours is an error, or another one.
+"""Return results as scipy does where those of this package are errors, or differ.
 
 Matrices that are no rotations, means and best fits that many rotations share, groups in its order.
 """

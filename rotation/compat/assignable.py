@@ -1,4 +1,4 @@
-"""What scipy's rotations and transforms share as arrays: lengths, and items that can be assigned."""
+"""Array methods that scipy's rotations and transforms share: lengths, and assignment to items."""
 
 from abc import abstractmethod
 from collections.abc import Iterator

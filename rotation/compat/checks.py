@@ -1,4 +1,4 @@
-"""What scipy checks of its arguments, with the words that programs may look for."""
+"""Check arguments as scipy does, with its error messages."""
 
 from collections.abc import Iterable
 from typing import Any

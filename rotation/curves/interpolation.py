@@ -1,4 +1,4 @@
-"""Between rotations: slerp and squad, pointwise and through keyframes.
+"""Interpolate between rotations: slerp and squad, pointwise and through keyframes.
 
 K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Quaternion calculus and
 fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion never matters.

@@ -1,4 +1,4 @@
-"""What an angular velocity makes of an interval: Magnus's series cut after its commutator, of order 4.
+"""Integrate an angular velocity over an interval by Magnus's series, of order 4.
 
 By two rules, so that one can be judged by the other: that of Gauss and Legendre, and Simpson's. A. Iserles,
 H. Z. Munthe-Kaas, S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).

@@ -1,4 +1,4 @@
-"""From a drawing to a file: the same bytes each time, and a file whole or not at all."""
+"""Save a drawing as a file: the same bytes each time, and completely or not at all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The same rotations in plain numpy, as short as the mathematics: without LLVM, and the oracle of kernels.
+"""Rotate points in plain numpy, where there is no LLVM, and as an oracle in tests of the compiled kernels.
 
 Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
 """

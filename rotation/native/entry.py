@@ -1,4 +1,4 @@
-"""The builtin around a formula's loop: it looks at its arguments and makes its result, as one in C does.
+"""The entry of a compiled formula, a builtin function in LLVM: check arguments, make the result.
 
 What it takes and answers `rotation.native.builtins.compile_builtin` says.
 """

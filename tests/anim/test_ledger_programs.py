@@ -71,7 +71,9 @@ def test_what_is_proved_is_the_code(line: str) -> None:
     mutant, expected = MUTANTS[line]
     red = set()
     with spoilt_thesis(line, mutant, "anim.ledger", MODULES) as spoilt:
-        computed = {name for module in MODULES for name in sys.modules[f"anim.ledger.{module}"].COMPUTED}
+        computed = {
+            name for module in MODULES for name in sys.modules[f"anim.ledger.{module}"].COMPUTED
+        }
         for claim in spoilt:
             if claim.id in computed and claim.fieldless:
                 row = decide(claim, NO_FIELD)

@@ -1,4 +1,4 @@
-"""Each kind of ring is one module of the checker: what it knows comes from there, and nothing else is known."""
+"""Each kind of ring is one module of the checker: all facts about the ring come from there."""
 
 import pytest
 

@@ -105,7 +105,9 @@ def test_enumerations_that_are_not_exhausted() -> None:
     certificate = N.is_principal().certificate
     assert certificate is not None
     for evidence in ({"kind": "equivalent"}, {"kind": "equivalent", "between": rows}):
-        rejects({**certificate, "verdict": "refuted", "evidence": evidence, "method": "enumeration"})
+        rejects(
+            {**certificate, "verdict": "refuted", "evidence": evidence, "method": "enumeration"}
+        )
 
 
 def test_a_bad_basis_costs_work_and_not_truth() -> None:

@@ -31,7 +31,9 @@ def slots(sentence: str) -> set[str]:
 def test_a_sentence_is_there_in_every_language_with_the_same_slots(name):
     translations = sentences()[name]
     assert translations.keys() == {"en", "pl"}
-    assert all(slots(text) == slots(translations["en"]) and text.strip() for text in translations.values())
+    assert all(
+        slots(text) == slots(translations["en"]) and text.strip() for text in translations.values()
+    )
 
 
 def test_every_sentence_that_is_said_is_in_the_table():

@@ -114,9 +114,7 @@ def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
     inverse_norm = given.quotient(first, second, between)
     if inverse_norm is None:
         if given.data.keys() & {"norm", "between"}:
-            reject(
-                "there is nothing to run through: no element can have the given norm"
-            )
+            reject("there is nothing to run through: no element can have the given norm")
         return CheckResult(FIELD, NORM).citing(*given.unit_theorems)
     if "between" not in given.data:
         reject("the elements that are run through need a basis, under the key 'between'")

@@ -1,4 +1,4 @@
-"""What GF(q) means without a modulus: Conway's polynomial for every q up to 4096, low degree first.
+"""Conway's polynomials, the moduli of GF(q) where none is given, for q up to 4096, low degree first.
 
 Which polynomial it is decides what the generator x stands for. That it makes a field is not taken
 from here: the checker tests every modulus it uses.

@@ -1,4 +1,4 @@
-"""What the checker asks of a place: which elements are integral there, and what their residues are."""
+"""The protocol of a place in the checker: integral elements, and their residues."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Hashable

@@ -45,7 +45,7 @@ class Ring(ABC):
     is_integral: bool = False  # known to have no zero divisors, though it may be no field
     is_number_field: bool = False  # whether it is one that functions may be over
     is_exact: bool = True  # whether its arithmetic proves anything
-    roots_by = "squares"  # what shows polynomials to have no roots: discriminants, or linear factors
+    roots_by = "squares"  # shows that there are no roots: discriminants, or linear factors
     zero: Any
     one: Any
 

@@ -1,4 +1,4 @@
-"""Evidence for statements about the field: division, level, orderings, moduli."""
+"""Check evidence for statements about the field: division, level, orderings, moduli."""
 
 from collections.abc import Mapping
 from itertools import product

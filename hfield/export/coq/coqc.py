@@ -143,7 +143,7 @@ class Coqc:
         Raises :class:`NotJudgedError` where it cannot be run, or not to its end.
         """
         bounds = [os.getpid(), int(self.seconds) + 1, self.memory]
-        command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("bounded.py"))]
+        command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("coqc_process.py"))]
         command += [*map(str, bounds), self.program, "-q", f"{name}.v"]
         try:
             (self.folder / f"{name}.v").write_text(text, encoding="ascii")

@@ -1,4 +1,4 @@
-"""The process that runs ``coqc`` with bounds, and ends with its parent."""
+"""Run ``coqc`` with bounds of time and memory, as a process that ends with its parent."""
 
 import os
 import resource

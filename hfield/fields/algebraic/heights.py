@@ -1,4 +1,4 @@
-"""Telling an algebraic number from 0: enclose it more tightly than any nonzero one could be small.
+"""Decide whether an algebraic number is 0, by lower bounds for nonzero ones from their heights.
 
 A nonzero algebraic number of degree at most d and absolute logarithmic height at most h has absolute
 value at least exp(−d·h) (Liouville's inequality; Waldschmidt, *Diophantine Approximation on Linear

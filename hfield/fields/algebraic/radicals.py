@@ -1,4 +1,4 @@
-"""Between square roots of our own (:class:`Surd`) and those of sympy; and how large sympy's may grow."""
+"""Convert square roots between :class:`Surd` and sympy, within bounds for the size of sympy expressions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What counts as an integer or a rational number when it enters a ring, whichever library made it."""
+"""Read integers and rational numbers of any library as elements of a ring."""
 
 from __future__ import annotations
 

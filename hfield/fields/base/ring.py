@@ -1,4 +1,4 @@
-"""What H(F) asks of a base ring: the protocol that every adapter, and a user's own ring, satisfies.
+"""The protocol of a base ring, which every ring here and every user's own ring satisfies.
 
 A ring is a parent object; its elements are the values of some library as they come, with ``+``,
 ``-`` and ``*`` of their own. Only four things have to be given: ``name``, ``characteristic``,

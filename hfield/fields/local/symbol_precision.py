@@ -1,4 +1,4 @@
-"""Whether numbers known to some digits decide a symbol, and how many digits decide it.
+"""Decide whether the known digits of local numbers determine a Hilbert symbol, and how many digits do.
 
 All numbers in x + O(πⁿ) have one symbol if the products of x with a few factors have it, because the symbol
 is bilinear. The factors 1 + r·πᵐ, with r in a basis of the residue field over GF(2), generate 1 + O(πⁿ) up to

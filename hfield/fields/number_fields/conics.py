@@ -1,7 +1,7 @@
 """Points on conics ``a·x² + b·y² = z²`` over number fields, searched within a bound.
 
 The form ``z² − a·x² − b·y²`` is put on a module in K³ where it is good at every prime ideal, a lattice of
-rank 3n in which a :class:`Walk` looks for zeros. At a prime ideal ``minimal_conics``
+rank 3n in which a :class:`ZeroSearch` looks for zeros. At a prime ideal ``minimal_conics``
 gives a local basis whose entries are integral at all other primes. The module that has these bases at the bad
 primes, and is the standard one elsewhere, is their sum, each times a number that is divisible enough by the
 others.
@@ -22,7 +22,7 @@ from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
-from hfield.fields.number_fields.zeros_of_forms import Walk, expect_small_degree, not_met
+from hfield.fields.number_fields.zeros_of_forms import ZeroSearch, expect_small_degree, not_met
 from hfield.fields.quadratic_forms.minimal_conics import Conic, Vector, minimise
 
 
@@ -39,7 +39,7 @@ def solve_conic_number_field(
     primes = sorted({2} | candidates(field, a) | candidates(field, b))
     r, s = (integral_multiple(x) for x in (a, b))
     form = [field.one, -a * (r * r), -b * (s * s)]
-    walk = Walk(field, form, good_module(field, form, primes))
+    walk = ZeroSearch(field, form, good_module(field, form, primes))
     for z, x, y in walk.zeros():
         return x * r, y * s, z
     raise not_met(none)

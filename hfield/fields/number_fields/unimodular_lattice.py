@@ -34,7 +34,7 @@ from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
-from hfield.fields.number_fields.zeros_of_forms import Walk, expect_small_degree, not_met
+from hfield.fields.number_fields.zeros_of_forms import ZeroSearch, expect_small_degree, not_met
 from hfield.fields.quadratic_forms.minimal_conics import Vector, kernel_at
 
 
@@ -50,8 +50,8 @@ def isometry(
     expect_small_degree(field, none)
     form = [*source, *(-g for g in target)]
     basis = unimodular_module(field, form, primes)
-    for u in Walk(field, form, basis).zeros():
-        for v in Walk(field, form, _complement(field, form, basis, u), u).zeros():
+    for u in ZeroSearch(field, form, basis).zeros():
+        for v in ZeroSearch(field, form, _complement(field, form, basis, u), u).zeros():
             for w in _last(field, form, u, v):
                 found = _graph(field, [u, v, w])
                 if found is not None:

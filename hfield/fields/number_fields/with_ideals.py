@@ -1,4 +1,4 @@
-"""What number fields of all kinds say of ideals, classes and units; the answers stand above the rings."""
+"""Methods about ideals, classes and units that all kinds of number fields share."""
 
 from __future__ import annotations
 

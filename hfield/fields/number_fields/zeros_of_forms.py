@@ -1,4 +1,4 @@
-"""A module in Kᵐ with a diagonal form, K a number field, searched for zeros of the form.
+"""Search for zeros of a diagonal form over a number field K in a module in Kᵐ.
 
 The majorant of the form is the sum of the absolute values of its terms over the infinite places. For a module
 on which the form is good at every prime the volume depends on the discriminant of the field alone, so after
@@ -30,7 +30,7 @@ from hfield.fields.quadratic_forms.minimal_conics import Vector
 
 MAX_DEGREE = 12
 COMBINATIONS = 60_000  # of a reduced basis
-WALKED = 60  # bases, as many more as fewer combinations there are of each
+MAX_BASES = 60  # bases, as many more as fewer combinations there are of each
 CLOSE = 1e-5
 MAX_ZEROS = 50
 """The form is computed exactly at so many of the combinations at which it is nearly 0."""
@@ -38,19 +38,19 @@ SCALE = 2.0**40
 
 
 def expect_small_degree(field: NumberField, what: str) -> None:
-    """Refuse a walk over a field of large degree. Raises :class:`UndecidedError`."""
+    """Refuse a search over a field of large degree. Raises :class:`UndecidedError`."""
     if field.degree > MAX_DEGREE:
         raise UndecidedError(f"{what} was sought: the degree is over {MAX_DEGREE}")
 
 
 def not_met(what: str) -> UndecidedError:
-    """Return the error that says that there was none of something on a walk."""
+    """Return the error for a search that found none of something."""
     return UndecidedError(
-        f"{what} was found among {COMBINATIONS} combinations of each of {WALKED} reduced bases, or of more"
+        f"{what} was found among {COMBINATIONS} combinations of each of {MAX_BASES} reduced bases, or of more"
     )
 
 
-class Walk:
+class ZeroSearch:
     """A lattice in Kᵐ with a diagonal form, and as many reduced bases of it as one likes.
 
     ``points`` are the basis at the infinite places, where the form is a sum of squares of m complex
@@ -144,7 +144,7 @@ class Walk:
         """
         rng = random.Random(1)
         for step in range(
-            max(WALKED, WALKED * COMBINATIONS // len(_small_combinations(self.rank)))
+            max(MAX_BASES, MAX_BASES * COMBINATIONS // len(_small_combinations(self.rank)))
         ):
             yield from self._zeros(rng, step)
 

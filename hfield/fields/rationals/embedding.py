@@ -1,4 +1,4 @@
-"""Inside a division algebra over ℚ: the i and j of an isomorphic one, and square roots of numbers."""
+"""Find i and j of an isomorphic algebra, and square roots of numbers, in a division algebra over ℚ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whole numbers: residues put together, roots modulo n, square classes and squarefree parts."""
+"""Arithmetic of integers: Chinese remainders, roots modulo n, square classes and squarefree parts."""
 
 from __future__ import annotations
 

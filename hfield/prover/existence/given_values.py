@@ -1,7 +1,7 @@
-"""Decide statements "for all … there is …" by trying all given values.
+"""Decide statements "for all … there is …" by trying values of what is given.
 
-Where the equations for what is sought are linear, Gauss's elimination at a place is quick, so that many can
-be looked at; what is found is proved elsewhere.
+Where the equations for the unknowns that exist are linear, elimination at one choice of values is quick, so
+that many are tried. Other modules prove what is found.
 """
 
 from __future__ import annotations

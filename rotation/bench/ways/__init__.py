@@ -1,4 +1,4 @@
-"""The ways to rotate that are measured: ours, other libraries, plain numpy, the thesis's own.
+"""The ways to rotate that the benchmark measures: ours, other libraries, plain numpy, the thesis's.
 
 What can be laid out once before the first frame is, for every way: a layout of its own, lists, the
 points as quaternions. What depends on the frame's angles is inside the time.

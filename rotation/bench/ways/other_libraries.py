@@ -1,4 +1,4 @@
-"""Other rotation libraries, each by the fastest calls that its documentation offers."""
+"""Rotate points with other libraries, each by the fastest calls in its documentation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Our own calls, into an array that is there already."""
+"""Rotate points with the functions of this package, into an array that exists already."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a way to rotate is."""
+"""The type of a way to rotate, for the benchmark."""
 
 from __future__ import annotations
 

@@ -88,9 +88,7 @@ FILES: dict[str, Hostile] = {
         401,
     ),
     "unit-index: a large level": (
-        over_zz(
-            lambda order, *_: certificates.of_unit_index(order.value, order.unit_index())
-        ),
+        over_zz(lambda order, *_: certificates.of_unit_index(order.value, order.unit_index())),
         11,
         401,
     ),

@@ -33,7 +33,7 @@ class Facts:
     """Texts in ``zero`` are 0 in the ring, those in ``nonzero`` are not; ``signs`` are those of the place.
 
     ``order`` is None for an infinite ring, ``degree`` that of a finite or a number field; ``squares`` tell
-    which of −1, 2, 3, 5 are squares, None where that is not computed here. At a place, ``residues`` counts the
+    which of −1, 2, 3, 5 are squares, None where that is not computed. At a place, ``residues`` counts the
     residue field, ``within`` have a positive valuation and ``units`` none.
     """
 

@@ -214,7 +214,7 @@ def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
             tried.append(coefficients)
         return combine(coefficients, basis)
 
-    monkeypatch.setattr(zeros_of_forms, "WALKED", 6)
+    monkeypatch.setattr(zeros_of_forms, "MAX_BASES", 6)
     K = ring("QQ[s]/(s^6+1000003*s+7919)")
     a, x, y = K("s+2"), K("s^2+1"), K("3*s-1")
     monkeypatch.setattr(zeros_of_forms, "combination", counted)

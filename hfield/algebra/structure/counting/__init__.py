@@ -1,1 +1,1 @@
-"""How many elements are of which kind, by formulas and one by one."""
+"""Count the elements with a property, by formulas and one by one."""

@@ -1,4 +1,4 @@
-"""How many elements of an algebra over GF(q) or ℤ/n have norm n, are nilpotent, idempotent, roots, units.
+"""Formulas for the numbers of elements over GF(q) and ℤ/n: of norm n, nilpotent, idempotent, roots, units.
 
 Everything follows from how many elements have a given norm, alone or with trace 0 or 1, because an
 element satisfies ``x² = tr(x)·x − N(x)``: it is nilpotent when both are 0, idempotent when it is 0, 1 or has

@@ -1,1 +1,1 @@
-"""What an element is: properties, multiplicative order, square roots."""
+"""Properties, multiplicative orders and square roots of elements."""

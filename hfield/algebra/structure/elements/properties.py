@@ -1,4 +1,4 @@
-"""What an element is: nilpotent, idempotent, a unit, a conjugate of another."""
+"""Decide whether an element is nilpotent, idempotent, a unit, or a conjugate of another."""
 
 import itertools
 

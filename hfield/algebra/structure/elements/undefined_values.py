@@ -1,4 +1,4 @@
-"""Error messages for functions of quaternions at points without a value."""
+"""Error messages for functions of quaternions where they have no value."""
 
 NO_POLAR_FORM = "there is no polar form where the part of trace 0 has no negative square"
 

@@ -1,4 +1,4 @@
-"""Which arithmetic serves arrays over a finite ring, of quaternions or its elements: by order and degree."""
+"""Choose the arithmetic for arrays over a finite ring, by its order and degree."""
 
 from __future__ import annotations
 

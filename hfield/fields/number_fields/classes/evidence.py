@@ -1,4 +1,4 @@
-"""What shows a class group, and units, to a checker that has arithmetic of its own: S-units, all of them."""
+"""Evidence for class groups and units, for a checker that has arithmetic of its own: S-units."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""When two algebras are isomorphic, with the map; splittings."""
+"""Isomorphisms of two algebras, and splittings."""

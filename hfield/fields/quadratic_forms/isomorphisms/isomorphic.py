@@ -1,4 +1,4 @@
-"""When two algebras over one field are isomorphic, and an explicit, checked isomorphism."""
+"""Decide whether two algebras over one field are isomorphic, and find an isomorphism."""
 
 import itertools
 from contextlib import AbstractContextManager, nullcontext

@@ -1,1 +1,1 @@
-"""Whether an algebra has nonzero elements of norm 0, and the evidence that it has none."""
+"""Decide whether an algebra has nonzero elements of norm 0, with evidence."""

@@ -1,4 +1,4 @@
-"""What a question about zero norms is answered with: an element, or the reason why there is none."""
+"""The result of a search for elements of norm 0: an element, or the reason why there is none."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
