@@ -42,7 +42,9 @@ def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> C
     return tuple(c + spoilt for c in image)
 
 
-def by_rows(m: Iterable[Iterable[Array]], v: Coordinates, unchanging: Array = None) -> Coordinates:
+def by_rows(
+    m: Iterable[Iterable[Array]], v: Coordinates, unchanging: Array | None = None
+) -> Coordinates:
     """Return m·v, each row summed from its first product on, after what changes no sum if that is given."""
     xp = namespace(v[0])
 

@@ -9,7 +9,7 @@ import numpy as np
 from rotation.array_types import Array, Namespace
 from rotation.compensated import product, sine_and_cosine
 from rotation.namespaces import namespace
-from rotation.native.pairs import Pair, two_sum
+from rotation.native.pairs import Pair, PairLike, two_sum
 from rotation.rowwise import Formula, rarely
 
 # π/180 and 180/π: as many bits as float32 holds, and the rest.
@@ -69,11 +69,11 @@ def to_degrees(xp: Namespace, radians: Array) -> Array:
     return high + low
 
 
-def in_degrees(xp: Namespace, radians: Pair) -> Pair:
+def in_degrees(xp: Namespace, radians: PairLike) -> Pair:
     """Return a pair that is in radians in degrees."""
     return _times(xp, radians, _DEGREES)
 
 
-def _times(xp: Namespace, angle: Pair, factor: tuple[float, float]) -> Pair:
+def _times(xp: Namespace, angle: PairLike, factor: tuple[float, float]) -> Pair:
     high, low = factor
     return two_sum(*product(xp, angle, (xp.full_like(angle[0], high), low)))

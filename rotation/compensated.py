@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from rotation.array_types import Array, Namespace
 from rotation.coordinates import polynomial, root
-from rotation.native.pairs import Pair, two_product, two_sum
+from rotation.native.pairs import FMA, Pair, PairLike, two_product, two_sum
 
 # Taylor: sin x = x + x³·Σ SINE[k]·x²ᵏ and 1 − cos x = x²/2 + x⁴·Σ VERSINE[k]·x²ᵏ, without their first terms,
 # which are carried in twice the precision. They reach below 2⁻⁶⁰ up to π/8.
@@ -44,13 +44,15 @@ def quotient(xp: Namespace, a: Pair, b: Pair) -> Pair:
 
 def times(xp: Namespace, a: Pair, b: Array) -> Array:
     """Return ``a·b``, rounded nearly once."""
-    if hasattr(xp, "fma"):
-        return xp.fma(a[0], b, a[1] * b)
+    fma: FMA | None = getattr(xp, "fma", None)
+    if fma is not None:
+        return fma(a[0], b, a[1] * b)
     p, e = two_product(xp, a[0], b)
-    return p + (e + a[1] * b)
+    found: Array = p + (e + a[1] * b)
+    return found
 
 
-def product(xp: Namespace, a: Pair, b: Pair) -> Pair:
+def product(xp: Namespace, a: PairLike, b: PairLike) -> Pair:
     """Return ``a·b`` as a pair."""
     p, e = two_product(xp, a[0], b[0])
     return p, e + (a[0] * b[1] + a[1] * b[0])

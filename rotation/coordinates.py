@@ -55,8 +55,8 @@ def backwards(xp: Namespace, f: Array) -> Array:
 
 def polynomial(coefficients: Sequence[float], t: Array) -> Array:
     """Return ``Σ coefficients[k]·tᵏ``, of at least two terms, by Horner's scheme."""
-    total: Array = coefficients[-1]
-    for c in reversed(coefficients[:-1]):
+    total = coefficients[-2] + coefficients[-1] * t
+    for c in reversed(coefficients[:-2]):
         total = total * t + c
     return total
 

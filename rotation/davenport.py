@@ -151,4 +151,5 @@ def _to_davenport(q: Array, axes: Array, intrinsic: bool, degrees: bool, toleran
 
 
 def _dot(a: Coordinates, b: Coordinates) -> Array:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    found: Array = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return found

@@ -114,20 +114,23 @@ def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
 
 def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Array]:
     """The image of q with the largest coordinate ``key``, w ≥ 0, and whether another comes near."""
-    best, second = None, None
-    for m in maps:
+
+    def image_by(m: Array) -> Coordinates:
         image = tuple(_sum(row, q) for row in m)
         if key == 0:
             back = image[0] < 0.0
             image = tuple(xp.where(back, -c, c) for c in image)
-        if best is None:
-            best, second = image, xp.zeros_like(image[0]) - 2.0
-            continue
+        return image
+
+    first, *others = maps
+    best = image_by(first)
+    second: Array = xp.zeros_like(best[0]) - 2.0
+    for m in others:
+        image = image_by(m)
         better = image[key] > best[key]
         loser = xp.where(better, best[key], image[key])
         second = xp.where(loser > second, loser, second)
         best = tuple(xp.where(better, a, b) for a, b in zip(image, best, strict=True))
-    assert best is not None
     doubt = second >= best[key] - TIE
     return best, doubt | (best[0] <= TIE) if key == 0 else doubt
 

@@ -8,10 +8,10 @@ first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 import math
 from functools import cache, reduce
 from itertools import pairwise, product
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from rotation.angles import to_degrees, waves
-from rotation.array_types import Array, ArrayLike, Namespace
+from rotation.array_types import Array, ArrayLike, Namespace, Operand
 from rotation.coordinates import Coordinates, join, length, root, split
 from rotation.errors import RotationError
 from rotation.namespaces import expect_last, finfo, floats, namespace
@@ -107,11 +107,13 @@ def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool)
     xp = namespace(a)
     halves = [waves(xp, 0.5 * x, degrees) for x in split(a)]
     zero = 0 if len(axes) > 1 else xp.zeros_like(halves[0][0])
-    turns = [
+    turns: list[tuple[Operand, ...]] = [
         (c, *(s if axis == m else zero for m in range(3)))
         for (s, c), axis in zip(halves, axes, strict=True)
     ]
-    return join(xp, steadied(reduce(multiplied, turns if intrinsic else turns[::-1])))
+    first, *others = turns if intrinsic else turns[::-1]
+    whole = reduce(multiplied, others, first)
+    return join(xp, steadied(cast(Coordinates, whole)))  # of one turn all are arrays
 
 
 def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:

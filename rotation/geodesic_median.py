@@ -167,7 +167,8 @@ class _Boxes(NamedTuple):
     def radii(self, centers: Array) -> Array:
         """Return the largest angles between the middles and other rotations in the cubes."""
         chords = [np.sqrt(((self.quaternions(c) - centers) ** 2).sum(axis=1)) for c in _CORNERS]
-        return 4.0 * np.arcsin(0.5 * np.max(chords, axis=0))
+        found: Array = 4.0 * np.arcsin(0.5 * np.max(chords, axis=0))
+        return found
 
     def selected(self, kept: Array) -> "_Boxes":
         """Return some of them."""

@@ -247,7 +247,8 @@ _FAULTS = Formula(_faults, (3, 3))
 
 def _determinant(r: Entries) -> Array:
     (a, b, c), (d, e, f), (g, h, i) = r
-    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    found: Array = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    return found
 
 
 def _gram(r: Entries) -> tuple[Array, ...]:

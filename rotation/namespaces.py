@@ -120,7 +120,7 @@ def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
     xp = namespace(value) if xp is None else xp
     if is_numpy(xp):
         return real(value, what).astype(np.float64, copy=False)
-    array: Array = _as_array(xp, value, what) if _own_namespace(value) is None else value
+    array = cast(Array, value) if _own_namespace(value) else _as_array(xp, value, what)
     if xp.isdtype(array.dtype, "real floating"):
         if xp.finfo(array.dtype).bits < 32:
             raise DTypeError(

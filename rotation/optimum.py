@@ -27,8 +27,10 @@ def without_derivatives(array: Array) -> Array:
     if not is_differentiable(array):
         return array
     if hasattr(array, "detach"):
-        return array.detach()
-    return import_module("jax.lax").stop_gradient(array)
+        detached: Array = array.detach()
+        return detached
+    stopped: Array = import_module("jax.lax").stop_gradient(array)
+    return stopped
 
 
 def davenport(m: Sequence[Sequence[Array]]) -> Matrix:

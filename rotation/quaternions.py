@@ -12,14 +12,16 @@ import numpy as np
 
 from hfield.core import product as formula
 from rotation.angles import to_degrees, waves
-from rotation.array_types import Array, ArrayLike, Namespace
+from rotation.array_types import Array, ArrayLike, Namespace, Operand
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unchanging, unit
 from rotation.namespaces import expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import is_differentiable, without_derivatives
 from rotation.rowwise import Formula, flag_if, rarely
 
-HAMILTON = formula.Constants(-1.0, 0, -1.0)  # whole zeros leave no trace in compiled programs
+HAMILTON: formula.Constants[Array | float] = formula.Constants(
+    -1.0, 0, -1.0
+)  # whole zeros leave no trace in compiled programs
 
 
 def normalised(q: ArrayLike) -> Array:
@@ -93,14 +95,23 @@ def _product(p: Array, q: Array) -> Array:
 PRODUCT = Formula(_product, (4,), (4,))
 
 
-def multiplied(p: Coordinates, q: Coordinates) -> Coordinates:
+def multiplied(p: tuple[Operand, ...], q: tuple[Operand, ...]) -> Coordinates:
     """Return the coordinates of ``p·q`` as the formula gives them, whatever the norms."""
-    return formula.multiply(HAMILTON, p, q)
+    (w1, x1, y1, z1), (w2, x2, y2, z2) = p, q
+    return formula.multiply(HAMILTON, (w1, x1, y1, z1), (w2, x2, y2, z2))
+
+
+def conjugated(q: Coordinates) -> Coordinates:
+    """Return the coordinates of the conjugate of ``q``."""
+    w, x, y, z = q
+    return formula.conjugate(HAMILTON, (w, x, y, z))
 
 
 def steadied(c: Coordinates) -> Coordinates:
     """Return coordinates of norm ``1 + δ``, δ of the size of rounding errors, with δ removed."""
-    factor = (3.0 - formula.norm(HAMILTON, c)) * 0.5
+    w, x, y, z = c
+    norm = formula.norm(HAMILTON, (w, x, y, z))
+    factor = (3.0 - norm) * 0.5
     return tuple(a * factor for a in c)
 
 
@@ -110,7 +121,7 @@ def inverse(q: Array) -> Array:
 
 
 def _inverse(q: Array) -> Array:
-    return join(namespace(q), formula.conjugate(HAMILTON, split(q)))
+    return join(namespace(q), conjugated(split(q)))
 
 
 INVERSE = Formula(_inverse, (4,))
@@ -163,7 +174,7 @@ def _angle(q: Array, degrees: bool) -> Array:
 _ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
-def power(q: Array, exponent: ArrayLike) -> Array:
+def power(q: Array, exponent: Operand) -> Array:
     """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
 
     It is within (3 + 2.5·|exponent|)·2⁻⁵² of the exact quaternion (docs/explanation/rotation-errors.md).
@@ -183,17 +194,17 @@ def power(q: Array, exponent: ArrayLike) -> Array:
     return _raised(SHORTER_POWER, exponent, q)
 
 
-def direct_power(q: Array, exponent: ArrayLike) -> Array:
+def direct_power(q: Array, exponent: Operand) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
     return _raised(_POWER, exponent, q)
 
 
-def slerp(p: Array, q: Array, t: ArrayLike) -> Array:
+def slerp(p: Array, q: Array, t: Operand) -> Array:
     """Return ``p·(p⁻¹·q)ᵗ`` for unit quaternions (…, 4), and p itself where q is p or −p."""
     return _raised(SLERP, t, p, q)
 
 
-def _raised(raise_to: Formula, exponent: ArrayLike, *rotations: Array) -> Array:
+def _raised(raise_to: Formula, exponent: Operand, *rotations: Array) -> Array:
     xp = namespace(*rotations)
     plain = all(type(q) is np.ndarray for q in rotations)
     if isinstance(exponent, int | float):
@@ -231,7 +242,7 @@ _POWER, SHORTER_POWER = (Formula(_power, (4,), (), parameters=(short,)) for shor
 
 def _slerp(p: Array, q: Array, t: Array) -> Array:
     xp, start, end, exponent = namespace(p), split(p), split(q), t[...]
-    way = steadied(multiplied(formula.conjugate(HAMILTON, start), end))
+    way = steadied(multiplied(conjugated(start), end))
     point = steadied(multiplied(start, _powers(xp, way, exponent, True)))
     if is_differentiable(p) or is_differentiable(q):  # also there it moves with both ends
         return join(xp, point)
@@ -274,6 +285,6 @@ def T_q(q: ArrayLike, points: ArrayLike) -> Array:
     common_batch(quaternions=tuple(unit.shape[:-1]), points=tuple(v.shape[:-1]))
     c = split(unit)
     vector = (xp.zeros_like(v[..., 0]), *split(v))
-    whole = multiplied(multiplied(c, vector), formula.conjugate(HAMILTON, c))
+    whole = multiplied(multiplied(c, vector), conjugated(c))
     norm = sum_of_squares(c)
     return join(xp, tuple(a / norm for a in whole[1:]))

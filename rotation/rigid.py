@@ -108,7 +108,7 @@ class RigidTransform(Forms):
         moved = (motions.MOVED_BACK if inverse else motions.MOVED)(self._q, self._t, v)
         return moved if moved.dtype == given.dtype else xp.astype(moved, given.dtype)
 
-    def __eq__(self, other: object) -> Array:
+    def __eq__(self, other: object) -> Array:  # type: ignore[override]  # entry by entry
         """Compare entry by entry, exactly: q and −q are the same rotation."""
         if not isinstance(other, RigidTransform):
             return NotImplemented

@@ -9,7 +9,6 @@ R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic ma
 
 from typing import NamedTuple
 
-from hfield.core import product as formula
 from rotation.action import BY_QUATERNION, turned_by
 from rotation.angles import to_degrees
 from rotation.array_types import Array, ArrayLike, Namespace
@@ -19,7 +18,7 @@ from rotation.errors import RotationError
 from rotation.jacobians import exponential_factors, logarithm_factor
 from rotation.matrices import matrix_entries
 from rotation.namespaces import expect_last, floats, namespace, quiet, refuse_rows, refuse_zeros
-from rotation.quaternions import HAMILTON, multiplied, steadied
+from rotation.quaternions import conjugated, multiplied, steadied
 from rotation.rowwise import Formula, flag_if
 from rotation.vectors import from_axis_angle, to_axis_angle
 
@@ -43,7 +42,7 @@ def _composed(q: Array, t: Array, p: Array, s: Array) -> Array:
 
 def _inverted(q: Array, t: Array) -> Array:
     back = turned_by(split(q), split(t), True)
-    return join(namespace(q), (*formula.conjugate(HAMILTON, split(q)), *(-c for c in back)))
+    return join(namespace(q), (*conjugated(split(q)), *(-c for c in back)))
 
 
 def _matrix(q: Array, t: Array) -> Array:
@@ -130,7 +129,7 @@ def _from_dual(dual: Array) -> Array:
     n = xp.sqrt(norm)
     q = unit(xp, real)
     rest = tuple(f * (c / n) for c in d[4:])  # n / f might be no float
-    half = multiplied(rest, formula.conjugate(HAMILTON, q))[1:]
+    half = multiplied(rest, conjugated(q))[1:]
     return join(xp, (*q, *(2.0 * c for c in half)))
 
 

@@ -248,7 +248,7 @@ class Rotation(Conversions):
         q = self._q[(..., *(None,) * other.ndim, slice(None))]
         return self._of(quaternions.product(q, other._q))
 
-    def __eq__(self, other: object) -> Array:
+    def __eq__(self, other: object) -> Array:  # type: ignore[override]  # entry by entry
         """Compare entry by entry, exactly: q and −q are the same rotation."""
         if not isinstance(other, Rotation):
             return NotImplemented
@@ -259,7 +259,7 @@ class Rotation(Conversions):
         xp = namespace(p, q)
         return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
 
-    def __ne__(self, other: object) -> Array:
+    def __ne__(self, other: object) -> Array:  # type: ignore[override]
         """Compare entry by entry: the opposite of ``==``."""
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else namespace(equal).logical_not(equal)

@@ -6,6 +6,8 @@ All is written in `ad` and the adjoint, and so serves both groups.
 """
 
 from collections.abc import Iterable, Sequence
+from functools import reduce
+from operator import add
 from typing import Any, Self
 
 import numpy as np
@@ -183,14 +185,14 @@ class Uncertain:
         knowledge = [namespace(m._covariance).linalg.inv(m._covariance) for m in members]
         best = members[0]._mean
         for _ in range(_STEPS):
-            information, pull = 0.0, 0.0
+            pieces = []
             for member, known in zip(members, knowledge, strict=True):
                 e = member._mean.minus(best, "left")
                 xp = namespace(e)
                 g = inverse_right_jacobian(e)
                 weighed = xp.matmul(xp.matrix_transpose(g), known)
-                information = information + xp.matmul(weighed, g)
-                pull = pull + xp.matmul(weighed, e[..., None])
+                pieces.append((xp.matmul(weighed, g), xp.matmul(weighed, e[..., None])))
+            information, pull = (reduce(add, terms) for terms in zip(*pieces, strict=True))
             step = xp.linalg.solve(information, pull)
             best = best.plus(step[..., 0], "left")
             small = 64.0 * float(xp.finfo(step.dtype).eps)

@@ -72,7 +72,7 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
             "only one infinite weight is allowed: a second pair cannot be exact as well"
         )
     if np.isnan(w).any() or not (np.isfinite(a).all() and np.isfinite(b).all()):
-        return np.full(4, np.nan), np.float64(np.nan)
+        return np.full(4, np.nan), np.full((), np.nan)[()]
     n = int(np.argmax(np.isinf(w)))
     if not (a[n].any() and b[n].any()):
         raise RotationError(f"vector {n} has infinite weight and is zero: it has no direction")

@@ -132,7 +132,7 @@ def benchmark(
             raise RotationError(
                 f"expected points of shape (n, 3), n at least 1, found {rows.shape}"
             )
-        refuse_rows(~np.isfinite(rows).all(axis=1), "the point", "is not finite")
+        refuse_rows(np.asarray(~np.isfinite(rows).all(axis=1)), "the point", "is not finite")
         cloud, number = np.ascontiguousarray(rows, np.float64), len(rows)
     if not 0 < seconds < float("inf"):
         raise RotationError(f"seconds is {seconds!r}; expected a positive number")

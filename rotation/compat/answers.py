@@ -34,7 +34,8 @@ def unchecked(m: Array) -> Array:
     products[..., range(4), range(4)] += 1.0
     largest = np.argmax(np.einsum("...kk->...k", products), axis=-1)[..., None, None]
     q = np.take_along_axis(products, largest, axis=-2)[..., 0, :]
-    return q / np.linalg.norm(q, axis=-1, keepdims=True)
+    unit: Array = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    return unit
 
 
 def averaged(q: Array, weights: Array | None, axes: tuple[int, ...]) -> Array:
@@ -75,13 +76,14 @@ def _scalars(p: Array, left: Array, right: Array) -> Array:
     """The scalar parts of ``l·p·r``, by the scalar and vector parts of the three."""
     a, b, c = left[:, 0], p[:, 0], right[:, 0]
     u, v, w = left[:, 1:], p[:, 1:], right[:, 1:]
-    return (
+    found: Array = (
         np.einsum("i,j,k", a, b, c)
         - np.einsum("i,jx,kx", a, v, w)
         - np.einsum("ix,j,kx", u, b, w)
         - np.einsum("ix,jx,k", u, v, c)
         - np.einsum("xyz,ix,jy,kz", _TURNS, u, v, w)
     )
+    return found
 
 
 def aligned(

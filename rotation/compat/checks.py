@@ -26,7 +26,8 @@ def quaternions(value: Any) -> Array | None:
     if found is None or found.name != "Rotation":
         return None
     if found.home == hints.COMPAT:
-        return value._q
+        stored: Array = value._q
+        return stored
     q = value._double if found.home == hints.OURS else Rotation.from_scipy(value)._q
     expect_numpy("rotation.compat", q)
     return np.array(q)
@@ -38,7 +39,8 @@ def matrices(value: Any) -> Array | None:
     if found is None or found.name != "RigidTransform":
         return None
     if found.home == hints.COMPAT:
-        return value._matrix
+        stored: Array = value._matrix
+        return stored
     m = value.as_matrix()
     expect_numpy("rotation.compat", m)
     return np.array(m)

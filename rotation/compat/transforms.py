@@ -176,7 +176,8 @@ class RigidTransform(Assignable):
             raise RotationError(f"Expected vector to have shape (..., 3), got {v.shape}.")
         checks.common(v.shape[:-1], self.shape, "operands could not be broadcast together")
         m = self.inv()._matrix if inverse else self._matrix
-        return np.matmul(m[..., :3, :3], v[..., None])[..., 0] + m[..., :3, 3]
+        moved: Array = np.matmul(m[..., :3, :3], v[..., None])[..., 0] + m[..., :3, 3]
+        return moved
 
     def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the mean of the rotations with the mean of the translations."""

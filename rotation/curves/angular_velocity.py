@@ -8,7 +8,7 @@ norm 1 by construction.
 import math
 from collections.abc import Callable
 from functools import reduce
-from operator import mul
+from operator import add, mul
 
 from rotation import vectors
 from rotation.array_types import Array, ArrayLike
@@ -149,13 +149,14 @@ def angular_velocity(rotations: Rotation, times: ArrayLike, frame: str = "body")
     start = xp.clip(here - number // 2, 0, n - number)
     knots = [xp.take(t, start + k) for k in range(number)]
     back, one = rotations.inv(), xp.ones_like(t)
-    total: Array = 0.0
+    terms = []
     for j in range(number):
         others = [k for k in range(number) if k != j]
         away = (xp.where(start + k == here, one, t - knots[k]) for k in others)
         weight = reduce(mul, (a / (knots[j] - knots[k]) for a, k in zip(away, others, strict=True)))
         turn = (back * picked(rotations, start + j)).as_rotvec()
-        total = total + xp.reshape(weight, (-1, *(1,) * (turn.ndim - 1))) * turn
+        terms.append(xp.reshape(weight, (-1, *(1,) * (turn.ndim - 1))) * turn)
+    total = reduce(add, terms)
     return total if frame == "body" else rotations.apply(total)
 
 

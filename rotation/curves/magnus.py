@@ -120,4 +120,5 @@ def _at(times: Array, row: Array, share: Array) -> Array:
     """The times that lie so far in the intervals; 0 is their beginning itself."""
     xp = namespace(times)
     begin, end = (xp.take(times, xp.asarray(n.tolist())) for n in (row, row + 1))
-    return begin + (end - begin) * xp.asarray(share.tolist(), dtype=times.dtype)
+    found: Array = begin + (end - begin) * xp.asarray(share.tolist(), dtype=times.dtype)
+    return found

@@ -10,7 +10,9 @@ from the solution without that term; where it does not, more and more of the ter
 """
 
 import math
+from functools import reduce
 from math import factorial
+from operator import add
 from typing import Any
 
 from rotation import pytrees
@@ -187,7 +189,7 @@ def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array
         return right
     if n <= _SOLVED_AS_ONE:
         blocks = [(0, own)] if n == 1 else [(0, own), (-1, before), (1, after)]
-        whole = sum(_placed(xp, n, k, x) for k, x in blocks)
+        whole = reduce(add, (_placed(xp, n, k, x) for k, x in blocks))
         flat = xp.linalg.solve(xp.reshape(whole, (3 * n, 3 * n)), xp.reshape(right, (3 * n, 1)))
         return xp.reshape(flat, (n, 3))
     nothing = 0.0 * own[:1, ...]

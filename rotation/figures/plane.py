@@ -75,7 +75,7 @@ def draw_plane(
         raise RotationError(f"expected points of shape (n, 2), n at least 1, found {corners.shape}")
     if angles.ndim > 1:
         raise RotationError(f"expected one angle or a list of them, found the shape {angles.shape}")
-    refuse_rows(~np.isfinite(corners).all(axis=1), "the point", "is not finite")
+    refuse_rows(np.asarray(~np.isfinite(corners).all(axis=1)), "the point", "is not finite")
     refuse_rows(~np.isfinite(angles), "the angle", "is not finite")
     images = rotate2(corners, angles.reshape(-1, 1), degrees=degrees)
     plane_axes(ax, ink_of(ax))

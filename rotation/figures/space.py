@@ -60,7 +60,7 @@ def _checked(points: Any) -> Floats:
     rows = components(points, 3, "points", "aos")
     if rows.ndim != 2 or not len(rows):
         raise RotationError(f"expected points of shape (n, 3), n at least 1, found {rows.shape}")
-    refuse_rows(~np.isfinite(rows).all(axis=1), "the point", "is not finite")
+    refuse_rows(np.asarray(~np.isfinite(rows).all(axis=1)), "the point", "is not finite")
     return rows.astype(np.float64)
 
 

@@ -52,8 +52,8 @@ def _entry() -> Program:
         row = program.value(f"mul i64 {i}, 4")
         start, end = (program.at("double", rows, row) for rows in (factors, products))
         numbers = (program.load(kind, program.at("double", start, k), 8) for k in range(4))
-        factor = tuple(Lanes(program, x) for x in numbers)
-        parts = iter(Lanes(program, x) for x in running)
+        factor = tracing.as_arrays(Lanes(program, x) for x in numbers)
+        parts = iter(tracing.as_arrays(Lanes(program, x) for x in running))
         w, x, y, z = zip(parts, parts, strict=True)
         a, b, c, d = _normalised(tuple((f, f * 0.0) for f in middling(tracing.NAMESPACE, factor)))
         product = _normalised(
@@ -68,9 +68,9 @@ def _entry() -> Program:
                 _sum(_product(a, z), _product(b, y), _sum(_minus(_product(c, x)), _product(d, w))),
             )
         )
-        for k, (high, _) in enumerate(product):
+        for k, high in enumerate(tracing.as_lanes(high for high, _ in product)):
             program.store(kind, high.name, program.at("double", end, k), 8)
-        return [part.name for pair in product for part in pair]
+        return [part.name for pair in product for part in tracing.as_lanes(pair)]
 
     first = [(kind, program.constant(x)) for x in (1.0, *[0.0] * 7)]
     program.loop("0", "%n", turn, first=first)
@@ -91,7 +91,7 @@ def _product(a: Pair, b: Pair) -> Pair:
     return _settled(p, e + (a[0] * b[1] + a[1] * b[0]))
 
 
-def _settled(high: Lanes, low: Lanes) -> Pair:
+def _settled(high: Array, low: Array) -> Pair:
     """Return a pair whose low part is below a unit in the last place of the high one."""
     s = high + low
     return s, low - (s - high)
@@ -106,7 +106,7 @@ def _normalised(q: tuple[Pair, ...]) -> Pairs:
     w, x, y, z = q
     square = _sum(_product(w, w), _product(x, x), _sum(_product(y, y), _product(z, z)))
     # Newton: from r ≈ 1/√square in one precision to twice that
-    r = 1.0 / tracing.sqrt(square[0])
+    r = 1.0 / tracing.NAMESPACE.sqrt(square[0])
     zero = 0.0 * r
     guess = (r, zero)
     rest = _sum((zero + 1.0, zero), _minus(_product(square, _product(guess, guess))))

@@ -7,18 +7,17 @@ coordinate might leave the range of floats. The careful form is that of few poin
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from rotation import action
 from rotation.angles import RADIANS
-from rotation.array_types import Array
+from rotation.array_types import Array, Operand
 from rotation.compensated import norm
 from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.matrices import matrix_entries
 from rotation.native import elementary, tracing
 from rotation.native.elementary import COSINE, REACH, SINE, TWO_OVER_PI
 from rotation.native.pairs import Pair, plus_product, quick_two_sum, two_product, two_sum
-from rotation.native.symbols import Condition, Lanes, Rows
 from rotation.quaternions import normalise
 from rotation.vectors import about_axis, turn
 
@@ -34,9 +33,10 @@ P2 = float.fromhex("0x1.4442dp-24")
 P3 = float.fromhex("0x1.8469898cc517p-48")
 
 HALF_ROOT = math.sqrt(0.5)
+XP = tracing.NAMESPACE
 
 
-Image = tuple[Coordinates, Condition | None]  # new coordinates, and where they are right
+Image = tuple[Coordinates, Array | None]  # new coordinates, and where they are right
 Matrix = Sequence[Sequence[Array]]
 
 
@@ -47,56 +47,51 @@ class Kernel(NamedTuple):
     careful: Callable[..., Coordinates] | None = None
 
 
-def _safe(square: Lanes) -> Condition:
+def _safe(square: Array) -> Array:
     """Tell whether a squared length can be used as it is; NaN cannot."""
     return (square >= SMALL) & (square <= LARGE)
 
 
-def _measured(point: Coordinates) -> tuple[Lanes, Condition]:
+def _measured(point: Coordinates) -> tuple[Array, Array]:
     """Return what to add to a result, −0 or NaN if a coordinate is not finite, and whether that is safe.
 
     It is not for points too large or small for a product with a squared length. Adding −0 changes no sum.
     """
     x, y, z = point
-    size = tracing.abs(x) + (tracing.abs(y) + tracing.abs(z))
+    size = XP.abs(x) + (XP.abs(y) + XP.abs(z))
     return -(size - size), ~((size > HIGH) | ((size < LOW) & (size > 0.0)))
 
 
-def _round_all(rows: Rows) -> None:
-    """Disallow implicit fused multiply-adds from here on, since some differences have to be exact."""
-    rows[...].program.flags = ""
+def _plus(c: Operand, a: Array, b: Operand) -> Array:
+    return plus_product(XP, c, a, b)
 
 
-def _plus(c: Array, a: Array, b: Array) -> Array:
-    return plus_product(tracing.NAMESPACE, c, a, b)
-
-
-def _reachable(x: Lanes) -> Condition:
+def _reachable(x: Array) -> Array:
     """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
-    return tracing.abs(x) <= REACH
+    return XP.abs(x) <= REACH
 
 
-def _sincos(x: Lanes, degrees: bool) -> Pair:
+def _sincos(x: Array, degrees: bool) -> Pair:
     """Return sine and cosine of reachable lanes ``x``."""
-    k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + tracing.ROUND
-    n = k - tracing.ROUND  # quarters of a turn
+    k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + XP.ROUND
+    n = k - XP.ROUND  # quarters of a turn
     if degrees:
         rest = x - n * 90.0
-        r = plus_product(tracing.NAMESPACE, rest * RADIANS[1], rest, RADIANS[0])
+        r = plus_product(XP, rest * RADIANS[1], rest, RADIANS[0])
     else:
         r = ((x - n * P1) - n * P2) - n * P3
     s, c = _sincos_of_eighth(r)
-    s = tracing.where(r != 0.0, s, r)  # the sum loses the sign of −0
+    s = XP.where(r != 0.0, s, r)  # the sum loses the sign of −0
     if degrees:  # both are √½, as those of whole quarters are 0 and 1
-        eighth = tracing.abs(rest) == 45.0
-        s = tracing.where(eighth, tracing.copysign(HALF_ROOT, s), s)
-        c = tracing.where(eighth, HALF_ROOT, c)
-    odd, beyond = tracing.bit(k, 0), tracing.bit(k, 1)  # the last two bits of n
-    a, b = tracing.where(odd, c, s), tracing.where(odd, -s, c)
-    return tracing.where(beyond, -a, a), tracing.where(beyond, -b, b)
+        eighth = XP.abs(rest) == 45.0
+        s = XP.where(eighth, XP.copysign(HALF_ROOT, s), s)
+        c = XP.where(eighth, HALF_ROOT, c)
+    odd, beyond = XP.bit(k, 0), XP.bit(k, 1)  # the last two bits of n
+    a, b = XP.where(odd, c, s), XP.where(odd, -s, c)
+    return XP.where(beyond, -a, a), XP.where(beyond, -b, b)
 
 
-def _sincos_of_eighth(r: Lanes) -> Pair:
+def _sincos_of_eighth(r: Array) -> Pair:
     """Return sine and cosine of an angle of at most π/4."""
     z = r * r
     sine, cosine = (_polynomial(table, z) for table in (SINE, COSINE))
@@ -105,29 +100,30 @@ def _sincos_of_eighth(r: Lanes) -> Pair:
 
 def _polynomial(coefficients: tuple[float, ...], z: Array) -> Array:
     """Return ``Σ coefficients[k]·zᵏ`` by Horner's scheme."""
-    *others, total = coefficients
+    *others, before, last = coefficients
+    total = _plus(before, z, last)
     for c in reversed(others):
         total = _plus(c, z, total)
     return total
 
 
-def _one(points: Rows, matrix: Rows) -> Image:
+def _one(points: Array, matrix: Array) -> Image:
     """Rotate by one matrix, in the precision of the points."""
     entries, (x, y, z) = split(matrix), split(points)
     poison = -((x - x) + ((y - y) + (z - z)))  # NaN or −0
     return action.by_rows((entries[:3], entries[3:6], entries[6:]), (x, y, z), poison), None
 
 
-def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows) -> Image:
+def _axis_angle(degrees: bool, single: bool, points: Array, axis: Array, angle: Array) -> Image:
     """Return points turned about axes of any safe length."""
-    if not single and not hasattr(tracing, "fma"):
+    if not single and not hasattr(XP, "fma"):
         return _axis_angle_by_quaternion(degrees, points, axis, angle)
     a, point, t = split(axis), split(points), angle[...]
     poison, fine = _measured(point)
     sine, cosine = _sincos(t, degrees)
-    _round_all(points)
+    XP.round_all(points[...])
     square = sum_of_squares(a)
-    part = 1.0 / tracing.sqrt(square)
+    part = 1.0 / XP.sqrt(square)
     m = matrix_about(tuple(part * x for x in a), sine, cosine, single)
     return action.by_rows(m, point, poison), fine & _reachable(t) & _safe(square)
 
@@ -165,54 +161,52 @@ def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordin
     )
 
 
-def _axis_angle_by_quaternion(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Image:
+def _axis_angle_by_quaternion(degrees: bool, points: Array, axis: Array, angle: Array) -> Image:
     """Return the same by quaternions, whose coordinates are rounded once, without fused multiply-add."""
     a, point, half = split(axis), split(points), 0.5 * angle[...]
     poison, fine = _measured(point)
-    _round_all(points)
-    sine, cosine, near = (
-        _waves_of_degrees(half) if degrees else elementary.near(tracing.NAMESPACE, half)
-    )
-    q = turn(tracing.NAMESPACE, sine, cosine, a, norm(tracing.NAMESPACE, a))
+    XP.round_all(points[...])
+    sine, cosine, near = _waves_of_degrees(half) if degrees else elementary.near(XP, half)
+    q = turn(XP, sine, cosine, a, norm(XP, a))
     image = action.by_rows(matrix_entries(q), point, poison)
     return image, fine & near & _safe(sum_of_squares(a))
 
 
-def _waves_of_degrees(x: Lanes) -> tuple[Pair, Pair, Condition]:
+def _waves_of_degrees(x: Array) -> tuple[Pair, Pair, Array]:
     """Return sine and cosine of reachable degrees as pairs, and where they are reachable."""
-    k = x * (1.0 / 90.0) + tracing.ROUND
-    r = x - (k - tracing.ROUND) * 90.0
-    p, e = two_product(tracing.NAMESPACE, r, RADIANS[0])
-    rest = two_sum(p, plus_product(tracing.NAMESPACE, e, r, RADIANS[1]))
-    eighth = tracing.abs(r) == 45.0
+    k = x * (1.0 / 90.0) + XP.ROUND
+    r = x - (k - XP.ROUND) * 90.0
+    p, e = two_product(XP, r, RADIANS[0])
+    rest = two_sum(p, plus_product(XP, e, r, RADIANS[1]))
+    eighth = XP.abs(r) == 45.0
     sine, cosine = (
         (
-            tracing.where(eighth, tracing.copysign(HALF_ROOT, high), high),
-            tracing.where(eighth, 0.0 * low, low),
+            XP.where(eighth, XP.copysign(HALF_ROOT, high), high),
+            XP.where(eighth, 0.0 * low, low),
         )
-        for high, low in elementary.of_rest(tracing.NAMESPACE, k, *rest)
+        for high, low in elementary.of_rest(XP, k, *rest)
     )
     return sine, cosine, _reachable(x)
 
 
 def _axis_angle_carefully(
-    degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows
+    degrees: bool, single: bool, points: Array, axis: Array, angle: Array
 ) -> Coordinates:
     a = split(axis)
-    tracing.flag_if(tracing.all([c == 0.0 for c in a]))
+    XP.flag_if(_all_zero(a))
     return action.turned_by(about_axis(a, angle[...], degrees), split(points), False)
 
 
-def _quaternions(single: bool, points: Rows, q: Rows) -> Image:
+def _quaternions(single: bool, points: Array, q: Array) -> Image:
     """Return the points after the rotation by quaternions of any safe length, by their matrices."""
     c, point = split(q), split(points)
     poison, fine = _measured(point)
-    _round_all(points)
-    if single or hasattr(tracing, "fma"):
+    XP.round_all(points[...])
+    if single or hasattr(XP, "fma"):
         m, square = matrix_of(c, single)
     else:
         square = sum_of_squares(c)
-        part = 1.0 / tracing.sqrt(square)
+        part = 1.0 / XP.sqrt(square)
         m = matrix_entries(tuple(a * part for a in c))
     return action.by_rows(m, point, poison), fine & _safe(square)
 
@@ -231,7 +225,7 @@ def matrix_of(q: Coordinates, single: bool = False) -> tuple[Matrix, Array]:
 def _twice_inverse_norm(q: Coordinates) -> tuple[Array, Array, Array]:
     """Return N(q), t = 2/N(q), both rounded, and what to add to t for what was cut off from both."""
     w, x, y, z = q
-    square, low = two_product(tracing.NAMESPACE, z, z)
+    square, low = two_product(XP, z, z)
     for c in (y, x, w):
         total = _plus(square, c, c)
         low = _plus(square - total, c, c) + low
@@ -240,12 +234,12 @@ def _twice_inverse_norm(q: Coordinates) -> tuple[Array, Array, Array]:
     return square, t, (-0.5 * t) * _plus(_plus(-2.0, t, square), low, t)
 
 
-def _quaternions_carefully(single: bool, points: Rows, q: Rows) -> Coordinates:
+def _quaternions_carefully(single: bool, points: Array, q: Array) -> Coordinates:
     return action.turned_by(tuple(normalise(q)), split(points), False)
 
 
 def _euler(
-    axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
+    axes: tuple[int, ...], backward: bool, degrees: bool, points: Array, angles: Array
 ) -> Image:
     """Rotate about coordinate axes one after the other."""
     turns = split(angles)
@@ -258,22 +252,28 @@ def _euler(
 
 
 def _euler_carefully(
-    axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
+    axes: tuple[int, ...], backward: bool, degrees: bool, points: Array, angles: Array
 ) -> Coordinates:
-    image: Coordinates = action.by_angles(angles, points, axes, backward, degrees)
-    return image
+    image = action.by_angles(angles, points, axes, backward, degrees)
+    return cast(Coordinates, image)  # symbols are joined to a tuple
 
 
-def _contains_zero(rows: Rows) -> Image:
+def _contains_zero(rows: Array) -> Image:
     return (), _safe(sum_of_squares(split(rows)))
 
 
-def _contains_zero_carefully(rows: Rows) -> Coordinates:
-    zero, *others = (c == 0.0 for c in split(rows))
+def _contains_zero_carefully(rows: Array) -> Coordinates:
+    XP.flag_if(_all_zero(split(rows)))
+    return ()
+
+
+def _all_zero(coordinates: Coordinates) -> Array:
+    """Return where all coordinates are 0."""
+    zero: Array
+    zero, *others = (c == 0.0 for c in coordinates)
     for other in others:
         zero = zero & other
-    tracing.flag_if(zero)
-    return ()
+    return zero
 
 
 _KERNELS = {

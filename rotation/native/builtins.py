@@ -11,12 +11,13 @@ import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
 from hfield.compiling import machine_code
 from hfield.compiling.instructions import Code, module, vector
+from rotation.array_types import Array
 from rotation.native import tracing
 from rotation.native.entry import (
     DATA,
@@ -117,7 +118,7 @@ def _address(function: Any) -> int:
 
 
 def compile_builtin(
-    formula: Callable[..., Values],
+    formula: Callable[..., Array],
     shapes: tuple[Shape, ...],
     parameters: tuple[object, ...],
     single: tuple[int, ...],
@@ -170,7 +171,7 @@ def compile_builtin(
 
 
 def _block(
-    formula: Callable[..., Values],
+    formula: Callable[..., Array],
     shapes: tuple[Shape, ...],
     parameters: tuple[object, ...],
     single: tuple[int, ...],
@@ -204,7 +205,7 @@ def _block(
             columns = [program.value(f"fpext {HALVES} {x} to {program.kind}") for x in columns]
         rows = Rows(shape, [Lanes(program, x) for x in columns], np.dtype(f"f{BYTES[word]}"))
         arguments.append(rows)
-    answer = formula(*arguments, *parameters)
+    answer = cast(Values, formula(*arguments, *parameters))  # of symbols, symbols
     names = [program.name_of(r) for r in _flat(answer)]
     if words[-1] == "float":
         names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]

@@ -10,8 +10,16 @@ import math
 from collections.abc import Sequence
 from itertools import zip_longest
 
-from rotation.array_types import Array, SymbolNamespace
-from rotation.native.pairs import Pair, plus_product, quick_two_sum, two_product, two_sum
+from rotation.array_types import Array, Operand, SymbolNamespace
+from rotation.native.pairs import (
+    FMA,
+    Pair,
+    PairLike,
+    plus_product,
+    quick_two_sum,
+    two_product,
+    two_sum,
+)
 
 # π/2 in three parts of 53 bits. For |n| ≤ 2³⁰ what is left of an angle after n times the first is a float.
 REACH = 2.0**30
@@ -59,7 +67,9 @@ QUARTER, QUARTER_LOW = float.fromhex("0x1.921fb54442d18p-1"), float.fromhex("0x1
 LOW, HIGH = 2.0**-400, 2.0**400  # between these the error of a quotient is found exactly
 
 
-def sine_and_cosine(xp: SymbolNamespace, a: Array, b: Array = None) -> tuple[Pair, Pair]:
+def sine_and_cosine(
+    xp: SymbolNamespace, a: Array, b: Array | None = None
+) -> tuple[PairLike, PairLike]:
     """Return sine and cosine of angles, without b rounded, and 0.
 
     With b they are those of ``a + b``, b below an ulp of a, as pairs right to about 56 bits.
@@ -77,11 +87,11 @@ def sine_and_cosine(xp: SymbolNamespace, a: Array, b: Array = None) -> tuple[Pai
 
     usual = (s, c) if b is None else (s, c, s_low, c_low)
     s, c, *lows = xp.rarely(~right, far, usual)
-    s_low, c_low = lows or (0.0, 0.0)
-    return (s, s_low), (c, c_low)
+    sine_low, cosine_low = lows or (0.0, 0.0)
+    return (s, sine_low), (c, cosine_low)
 
 
-def near(xp: SymbolNamespace, a: Array, b: Array = None) -> tuple[Pair, Pair, Array]:
+def near(xp: SymbolNamespace, a: Array, b: Array | None = None) -> tuple[Pair, Pair, Array]:
     """Return sine and cosine of ``a`` or of ``a + b`` as pairs, and where they are right."""
     k = a * TWO_OVER_PI + xp.ROUND
     n = k - xp.ROUND  # quarters of a turn
@@ -108,19 +118,22 @@ def of_rest(xp: SymbolNamespace, k: Array, r: Array, low: Array) -> tuple[Pair, 
     odd, beyond = xp.bit(k, 0), xp.bit(k, 1)  # the last two bits of the quarters
     sine = (xp.where(odd, y, x) for x, y in zip(s, c, strict=True))
     cosine = (xp.where(odd, -x, y) for x, y in zip(s, c, strict=True))
-    (s, s_low), (c, c_low) = ([xp.where(beyond, -x, x) for x in pair] for pair in (sine, cosine))
-    return (s, s_low), (c, c_low)
+    (high, low), (other, other_low) = (
+        [xp.where(beyond, -x, x) for x in pair] for pair in (sine, cosine)
+    )
+    return (high, low), (other, other_low)
 
 
 def _rest(xp: SymbolNamespace, a: Array, n: Array) -> Array:
     """Return ``a − n·HALF_PI[0]``, exactly."""
-    if hasattr(xp, "fma"):
-        return xp.fma(-n, HALF_PI[0], a)
+    fma: FMA | None = getattr(xp, "fma", None)
+    if fma is not None:
+        return fma(-n, HALF_PI[0], a)
     p, e = two_product(xp, n, HALF_PI[0])
     return (a - p) - e
 
 
-def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> Pair:
+def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> PairLike:
     """Return the angle of the point (x, y) in [−π, π] as a pair of 56 bits, or rounded, and 0."""
     p, q = xp.abs(y), xp.abs(x)
     steep, back = p > q, x < 0.0
@@ -159,10 +172,10 @@ def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> Pair
     return high, lows[0] if lows else 0.0
 
 
-def _sum(xp: SymbolNamespace, coefficients: Sequence[Array], z: Array) -> Array:
+def _sum(xp: SymbolNamespace, coefficients: Sequence[Operand], z: Array) -> Operand:
     """Return ``Σ coefficients[k]·zᵏ`` by Estrin's scheme: pairs first, so that few steps wait for others."""
     if len(coefficients) == 1:
         return coefficients[0]
     pairs = zip_longest(coefficients[::2], coefficients[1::2])
-    halved = [c if d is None else plus_product(xp, c, d, z) for c, d in pairs]
+    halved = [c if d is None else plus_product(xp, c, z, d) for c, d in pairs]
     return _sum(xp, halved, z * z)

@@ -5,28 +5,34 @@ T. J. Dekker, "A floating-point technique for extending the available precision"
 is one.
 """
 
-from rotation.array_types import Array, Namespace
+from collections.abc import Callable
+
+from rotation.array_types import Array, Namespace, Operand
 
 Pair = tuple[Array, Array]
+PairLike = tuple[Array, Operand]  # the low part may be one float for all
+FMA = Callable[[Operand, Operand, Operand], Array]  # a·b + c, rounded once
 
 
-def two_sum(a: Array, b: Array) -> Pair:
+def two_sum(a: Array, b: Operand) -> Pair:
     """Return ``a + b`` rounded, and the error."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
-def quick_two_sum(a: Array, b: Array) -> Pair:
+def quick_two_sum(a: Operand, b: Array) -> Pair:
     """Return ``a + b`` rounded, and the error, where |a| ≥ |b| or a is 0."""
     s = a + b
     return s, b - (s - a)
 
 
-def two_product(xp: Namespace, a: Array, b: Array) -> Pair:
+def two_product(xp: Namespace, a: Array, b: Operand) -> Pair:
     """Return ``a·b`` rounded, and the error; for factors far from overflow and underflow."""
     p = a * b
-    fma = getattr(xp, "fma", None)  # the error is a float: either way it is found exactly
+    fma: FMA | None = getattr(
+        xp, "fma", None
+    )  # the error is a float: either way it is found exactly
     if fma is not None:
         return p, fma(a, b, -p)
     a1, a2 = _halves(xp, a)
@@ -34,15 +40,15 @@ def two_product(xp: Namespace, a: Array, b: Array) -> Pair:
     return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
 
 
-def plus_product(xp: Namespace, c: Array, a: Array, b: Array) -> Array:
+def plus_product(xp: Namespace, c: Operand, a: Array, b: Operand) -> Array:
     """Return ``c + a·b``, rounded once where there is a fused multiply-add."""
-    fma = getattr(xp, "fma", None)
+    fma: FMA | None = getattr(xp, "fma", None)
     return c + a * b if fma is None else fma(a, b, c)
 
 
-def _halves(xp: Namespace, a: Array) -> Pair:
+def _halves(xp: Namespace, a: Operand) -> tuple[Operand, Operand]:
     """Two halves of the digits of each float."""
-    single = hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
+    single = not isinstance(a, float) and hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
     t = (4097.0 if single else 134217729.0) * a  # 2¹² + 1, 2²⁷ + 1
     high = t - (t - a)
     return high, a - high

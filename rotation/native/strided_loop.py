@@ -10,9 +10,10 @@ may be an operand.
 
 from collections.abc import Callable, Sequence
 from enum import Enum
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from hfield.compiling.instructions import Code, module, vector
+from rotation.array_types import Array
 from rotation.native import tracing
 from rotation.native.symbols import WIDTH, Condition, Lanes, Program, Rows
 
@@ -27,8 +28,13 @@ IN_ORDER = tuple(range(WIDTH))
 # moving numbers about.
 BY_PLACES = tuple(3 * place % WIDTH for place in range(WIDTH))
 
-Fast = Callable[..., tuple[tuple[Lanes, ...], Condition | None]]
-Careful = Callable[..., tuple[Lanes, ...]]
+Fast = Callable[..., tuple[tuple[Array, ...], Array | None]]  # formulas on symbols
+Careful = Callable[..., tuple[Array, ...]]
+
+
+def _symbols_of(fast: Fast, rows: Sequence[Rows]) -> tuple[tuple[Lanes, ...], Condition | None]:
+    """Run a formula on symbols, which it takes for arrays."""
+    return cast("tuple[tuple[Lanes, ...], Condition | None]", fast(*rows))
 
 
 class Way(Enum):
@@ -102,7 +108,7 @@ def _stretch(fast: Fast, operands: tuple[Operand, ...], results: int, number: st
     order = BY_PLACES if points else IN_ORDER
 
     def turn(i: str) -> None:
-        image, right = fast(*(_read(program, o, c, i, order) for o, c in read))
+        image, right = _symbols_of(fast, [_read(program, o, c, i, order) for o, c in read])
         if right is not None:
             program.leave(program.some((~right).name), lambda: f"i64 {i}")
         if results:
@@ -130,12 +136,12 @@ def _eight(
     ]
     read = list(zip(near, columns, strict=True))[: len(near) - results]
     rows = [_read(program, o, c, "0") for o, c in read]
-    image, right = fast(*rows)
+    image, right = _symbols_of(fast, rows)
     if right is not None and careful is not None:
 
         def mended() -> tuple[Lanes, ...]:
             program.flags = ""
-            done = careful(*rows)
+            done = tracing.as_lanes(careful(*rows))
             return tuple(tracing.where(right, a, b) for a, b in zip(image, done, strict=True))
 
         image = program.rarely((~right).name, mended, image)

@@ -5,18 +5,44 @@ of torch. It can take a tensor that no derivative goes through and that nothing 
 """
 
 import sys
+from collections.abc import Sequence
+from typing import Protocol, TypeGuard, cast
 
 import numpy as np
 
 from rotation.array_types import Array
 
 
-def readable(arrays: tuple[Array, ...]) -> bool:
+class Tensor(Protocol):
+    """A tensor of torch, as far as it is used here."""
+
+    dtype: object
+    device: "Device"
+    requires_grad: bool
+
+    def detach(self) -> "Tensor":
+        """Return the same numbers without derivatives."""
+
+    def is_conj(self) -> bool:
+        """Tell whether the tensor stands for the conjugates of its numbers."""
+
+    def numpy(self) -> Array:
+        """Return an array on the same memory."""
+
+
+class Device(Protocol):
+    """Where the numbers of a tensor lie."""
+
+    type: str
+
+
+def readable(arrays: Sequence[Tensor] | Sequence[Array]) -> TypeGuard[tuple[Tensor, ...]]:
     """Tell whether these are plain tensors of one float type in memory that numpy reads, and nothing else."""
     torch = sys.modules.get("torch")
     if torch is None or any(type(a) is not torch.Tensor for a in arrays):
         return False
-    kind = arrays[0].dtype
+    tensors = cast(Sequence[Tensor], arrays)
+    kind = tensors[0].dtype
     if kind not in (torch.float32, torch.float64) or torch.compiler.is_compiling():
         return False
     inside = torch._C  # what maps, traces or differentiates forward has no public sign
@@ -30,11 +56,12 @@ def readable(arrays: tuple[Array, ...]) -> bool:
         or (learning and a.requires_grad)
         or inside._functorch.is_functorch_wrapped_tensor(a)
         or a.is_conj()
-        for a in arrays
+        for a in tensors
     )
 
 
-def like(tensor: Array, values: Array) -> Array:
+def like(tensor: Tensor, values: Array) -> Array:
     """Return numbers of numpy as a tensor of the type of another."""
     torch = sys.modules["torch"]
-    return torch.from_numpy(np.asarray(values)).to(tensor.dtype)
+    converted: Array = torch.from_numpy(np.asarray(values)).to(tensor.dtype)
+    return converted

@@ -7,16 +7,16 @@ needed is branched around.
 
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
-from typing import Any, cast
+from typing import TypeVar, cast
 
 import numpy as np
 
 from hfield.compiling.instructions import alike, vector
-from rotation.array_types import SymbolNamespace
+from rotation.array_types import Array, SymbolNamespace
 from rotation.native import elementary
-from rotation.native.pairs import Pair
+from rotation.native.pairs import PairLike
 from rotation.native.symbols import Condition, Lanes, Rows, intrinsic, library
 
 _INFO = np.finfo(np.float64)
@@ -30,8 +30,19 @@ float64 = np.dtype(np.float64)
 float32 = np.dtype(np.float32)
 nan = math.nan
 Number = Lanes | float
+Values = TypeVar("Values")
 NAMESPACE = cast(SymbolNamespace, sys.modules[__name__])
 ROUND = 1.5 * 2.0**52  # what is added to it loses its fraction
+
+
+def as_arrays(lanes: Iterable[Lanes]) -> tuple[Array, ...]:
+    """Return symbols by the type that formulas name, that of arrays."""
+    return cast("tuple[Array, ...]", tuple(lanes))
+
+
+def as_lanes(values: Iterable[Array]) -> tuple[Lanes, ...]:
+    """Return what a formula computed with symbols by the type of symbols."""
+    return cast("tuple[Lanes, ...]", tuple(values))
 
 
 def abs(x: Lanes) -> Lanes:
@@ -54,21 +65,19 @@ def copysign(x: Number, y: Lanes) -> Lanes:
     return intrinsic("copysign", x, y)
 
 
-def waves(a: Lanes, b: Lanes | None = None) -> tuple[Pair, Pair]:
+def waves(a: Array, b: Array | None = None) -> tuple[PairLike, PairLike]:
     """Return sine and cosine of angles, or of pairs a + b as pairs."""
     return elementary.sine_and_cosine(NAMESPACE, a, b)
 
 
-def sin(x: Lanes) -> Lanes:
+def sin(x: Array) -> Array:
     """Return the sines."""
-    sine: Lanes = waves(x)[0][0]
-    return sine
+    return waves(x)[0][0]
 
 
-def cos(x: Lanes) -> Lanes:
+def cos(x: Array) -> Array:
     """Return the cosines."""
-    cosine: Lanes = waves(x)[1][0]
-    return cosine
+    return waves(x)[1][0]
 
 
 def round(x: Lanes) -> Lanes:
@@ -76,15 +85,14 @@ def round(x: Lanes) -> Lanes:
     return (x + ROUND) - ROUND
 
 
-def angle_of(y: Lanes, x: Lanes) -> Pair:
+def angle_of(y: Array, x: Array) -> PairLike:
     """Return the angles of the points (x, y) as pairs."""
     return elementary.angle_of(NAMESPACE, y, x)
 
 
-def atan2(y: Lanes, x: Lanes) -> Lanes:
+def atan2(y: Array, x: Array) -> Array:
     """Return the angles of the points (x, y)."""
-    angle: Lanes = elementary.angle_of(NAMESPACE, y, x, pair=False)[0]
-    return angle
+    return elementary.angle_of(NAMESPACE, y, x, pair=False)[0]
 
 
 def remainder(x: Number, y: Number) -> Lanes:
@@ -92,7 +100,7 @@ def remainder(x: Number, y: Number) -> Lanes:
     return library("fmod", x, y)
 
 
-def where(condition: Condition, yes: Any, no: Any) -> Any:
+def where(condition: Condition, yes: Number, no: Number) -> Lanes:
     """Return one of two values, row by row."""
     program = condition.program
     made = Condition if isinstance(yes, Condition) else Lanes
@@ -104,8 +112,7 @@ def where(condition: Condition, yes: Any, no: Any) -> Any:
 
 def maximum(x: Lanes, y: Number) -> Lanes:
     """Return the larger of two numbers."""
-    larger: Lanes = where(y > x, y, x)
-    return larger
+    return where(y > x, y, x)
 
 
 def isfinite(x: Lanes | Rows) -> Condition | list[Condition]:
@@ -115,7 +122,7 @@ def isfinite(x: Lanes | Rows) -> Condition | list[Condition]:
     return abs(x) < math.inf
 
 
-def all(conditions: list[Condition], axis: int | None = None) -> Condition:
+def all(conditions: Sequence[Condition], axis: int | None = None) -> Condition:
     """Return where all conditions hold."""
     holds, *others = conditions
     for other in others:
@@ -144,6 +151,11 @@ def flag_if(condition: Condition) -> None:
     condition.program.conditions.append(condition.name)
 
 
+def round_all(x: Lanes) -> None:
+    """Disallow implicit fused multiply-adds from here on, since some differences have to be exact."""
+    x.program.flags = ""
+
+
 def finfo(dtype: object) -> SimpleNamespace:
     """Return the limits of float64."""
     return _LIMITS
@@ -169,6 +181,6 @@ def broadcast_arrays(*values: Number) -> tuple[Number, ...]:
     return values
 
 
-def stack(values: Any, axis: int = 0) -> tuple[Any, ...]:
+def stack(values: Iterable[Values], axis: int = 0) -> tuple[Values, ...]:
     """Return values, or tuples of them, as the tuple that the program writes to memory."""
     return tuple(values)
