@@ -1,6 +1,7 @@
 """Types of what the package computes with: arrays of any library, and the namespaces of their functions."""
 
 from collections.abc import Callable, Sequence
+from types import EllipsisType
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 import numpy as np
@@ -34,6 +35,11 @@ if TYPE_CHECKING:
 else:
     Seed = object  # numpy imports its module of random numbers when it is first named
 Axes: TypeAlias = int | Sequence[int]
+Place: TypeAlias = (
+    int | slice | EllipsisType | npt.NDArray[np.integer] | npt.NDArray[np.bool] | None
+)
+Index: TypeAlias = Place | tuple[Place, ...]
+"""What selects entries of a numpy array."""
 
 
 class Limits(Protocol):

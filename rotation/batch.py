@@ -1,7 +1,7 @@
 """An immutable array of unit quaternions, the half of `Rotation` that stores them and knows shapes."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Self
+from typing import Self, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -55,7 +55,7 @@ class Batch(ImmutableArray):
         return floats(self._q, "rotations")
 
     @property
-    def dtype(self) -> Any:
+    def dtype(self) -> "np.dtype[np.floating]":
         """The type of float that the quaternions are stored in, and results are given in."""
         return self._q.dtype
 
@@ -83,9 +83,10 @@ class Batch(ImmutableArray):
         """
         return self._stored(self._q, dtype)
 
-    def reshape(self, *shape: Any) -> Self:
+    def reshape(self, *shape: int | Sequence[int]) -> Self:
         """Return the same rotations in another batch shape; one axis may be −1."""
-        wanted = shape[0] if len(shape) == 1 and isinstance(shape[0], Sequence) else shape
+        lengths = shape[0] if len(shape) == 1 and isinstance(shape[0], Sequence) else shape
+        wanted = cast(Sequence[int], lengths)
         if min(wanted, default=0) < -1:
             raise RotationError(f"the shape {tuple(wanted)} has a negative length")
         if -1 in wanted:  # counted without the axis of four, so that no quaternion is cut

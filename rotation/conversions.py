@@ -1,6 +1,6 @@
 """The half of `Rotation` that converts representations: constructors ``from_…`` and methods ``as_…``."""
 
-from typing import Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,9 @@ from rotation.array_types import Array, ArrayLike
 from rotation.batch import Batch
 from rotation.errors import DTypeError
 from rotation.namespaces import copied, expect_last, expect_numpy, floats, namespace, refuse_rows
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation as ScipyRotation
 
 
 class Conversions(Batch):
@@ -219,7 +222,7 @@ class Conversions(Batch):
         return cls._of(vectors.between(source, target))
 
     @classmethod
-    def from_scipy(cls, rotation: Any) -> Self:
+    def from_scipy(cls, rotation: "ScipyRotation") -> Self:
         """Make rotations from scipy's, or from those of `rotation.compat`; all else is a DTypeError."""
         if not hints.is_scipys(rotation, "Rotation"):
             raise DTypeError(
@@ -227,7 +230,7 @@ class Conversions(Batch):
             )
         return cls.from_quat(rotation.as_quat(), scalar_first=False)
 
-    def to_scipy(self) -> Any:
+    def to_scipy(self) -> "ScipyRotation":
         """Return the same as a `scipy.spatial.transform.Rotation`; scipy must be installed.
 
         Raises

@@ -4,8 +4,10 @@ As rotations q and c·q are the same, so T and O need no square root and I only 
 are of any norm (F. Klein, "Vorlesungen über das Ikosaeder", 1884).
 """
 
+from __future__ import annotations
+
 import itertools
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,11 +17,15 @@ from hfield.fields.names import ring
 from rotation.errors import RotationError
 from rotation.rotation import Rotation
 
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.core.product import Scalar
+
 _BITS = 200
 _GROUPS = ("T", "O", "I")
 
 
-def exact_matrix(q: Any) -> tuple[tuple[Any, ...], ...]:
+def exact_matrix(q: Quaternion) -> tuple[tuple[Scalar, ...], ...]:
     """Return the matrix, 3 × 3 over the quaternion's own field, of ``v ↦ q·v·q⁻¹``: exactly.
 
     Raises
@@ -36,11 +42,10 @@ def exact_matrix(q: Any) -> tuple[tuple[Any, ...], ...]:
     (-2/3, 2/15, 11/15)
     """
     _expect_hamilton(q)
-    matrix: tuple[tuple[Any, ...], ...] = q.rotation_matrix()
-    return matrix
+    return q.rotation_matrix()
 
 
-def exact_group(group: str) -> tuple[Any, ...]:
+def exact_group(group: str) -> tuple[Quaternion, ...]:
     """Return the rotations of T, O or I as quaternions, exactly: over ℚ, those of I over ℚ(√5).
 
     Each rotation once, the identity first; q and c·q are one rotation, so norms are not all 1.
@@ -81,7 +86,7 @@ def exact_group(group: str) -> tuple[Any, ...]:
     return tuple(found)
 
 
-def from_exact(quaternions: Any) -> Rotation:
+def from_exact(quaternions: Quaternion | list[Quaternion] | tuple[Quaternion, ...]) -> Rotation:
     """Return as floats the rotations of a quaternion, or of a list of them: each coordinate rounded once.
 
     Parameters
@@ -106,7 +111,9 @@ def from_exact(quaternions: Any) -> Rotation:
     return Rotation(exact_coordinates(quaternions))
 
 
-def exact_coordinates(quaternions: Any) -> np.ndarray:
+def exact_coordinates(
+    quaternions: Quaternion | list[Quaternion] | tuple[Quaternion, ...],
+) -> np.ndarray:
     """Return the coordinates of a quaternion, or of a list of them, each rounded once: (4,) or (n, 4).
 
     Raises
@@ -120,16 +127,16 @@ def exact_coordinates(quaternions: Any) -> np.ndarray:
     >>> exact_coordinates(H("QQ")(1, "1/2", 0, 0))
     array([1. , 0.5, 0. , 0. ])
     """
-    single = not isinstance(quaternions, list | tuple)
     rows = []
-    for q in [quaternions] if single else quaternions:
+    single = not isinstance(quaternions, list | tuple)
+    for q in quaternions if isinstance(quaternions, list | tuple) else [quaternions]:
         _expect_hamilton(q)
         rows.append([_rounded(x) for x in q.coordinates])
     found = np.reshape(rows, (-1, 4))
     return found[0] if single else found
 
 
-def _expect_hamilton(q: Any) -> None:
+def _expect_hamilton(q: object) -> None:
     algebra = getattr(q, "algebra", None)
     if not isinstance(algebra, QuaternionAlgebra) or algebra != H(algebra.ring):
         raise RotationError(
@@ -137,7 +144,7 @@ def _expect_hamilton(q: Any) -> None:
         )
 
 
-def _rounded(x: Any) -> float:
+def _rounded(x: Scalar) -> float:
     try:
         field = getattr(x, "field", None)
         value = getattr(field, "value_near", None)

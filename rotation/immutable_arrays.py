@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from typing import Any, ClassVar, NoReturn, Self
+from typing import ClassVar, NoReturn, Self
 
 import numpy as np
 
@@ -136,7 +136,7 @@ class ImmutableArray(Hinted):
         if isinstance(other, int | float):
             raise DTypeError(f"a {self._called} is not multiplied by numbers; write r**n")
 
-    def __rmul__(self, other: object) -> Any:
+    def __rmul__(self, other: object) -> Self:
         self._refuse_factor(other)
         return NotImplemented
 

@@ -5,10 +5,10 @@ registered with a library that has been imported, when the next value is made: n
 """
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from importlib import import_module
-from typing import Any, TypeVar
+from typing import TypeVar
 
 _modules = sys.modules
 _Class = TypeVar("_Class", bound=type)
@@ -51,15 +51,15 @@ def _announce(kinds: list[_Kind], register: Callable[[type, tuple[str, ...]], No
             register(*kinds.pop())
 
 
-def _parts(names: tuple[str, ...]) -> Callable[[Any], tuple[Any, ...]]:
+def _parts(names: tuple[str, ...]) -> Callable[[object], tuple[object, ...]]:
     return lambda value: tuple(getattr(value, name) for name in names)
 
 
-def _whole(kind: type, names: tuple[str, ...]) -> Callable[[Any], Any]:
+def _whole(kind: type, names: tuple[str, ...]) -> Callable[[Iterable[object]], object]:
     """How to put one together, of whatever stands for its arrays: a library may put there what it likes."""
 
-    def made(parts: Any) -> Any:
-        value: Any = object.__new__(kind)
+    def made(parts: Iterable[object]) -> object:
+        value: object = object.__new__(kind)
         for name, part in zip(names, parts, strict=True):
             object.__setattr__(value, name, part)
         return value

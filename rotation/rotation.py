@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from importlib import import_module
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +26,11 @@ from rotation.namespaces import (
 from rotation.native import tensors
 from rotation.pytrees import known
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER
+
+if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d.axes3d import Axes3D
+
+    from hfield.algebra.quaternion import Quaternion
 
 
 @pytrees.register_pytree("_q")
@@ -81,7 +86,9 @@ class Rotation(Conversions):
         return cls._of(q)
 
     @classmethod
-    def from_exact(cls, quaternions: Any) -> Self:
+    def from_exact(
+        cls, quaternions: "Quaternion | list[Quaternion] | tuple[Quaternion, ...]"
+    ) -> Self:
         """Return the rotations of exact quaternions of hfield, as :func:`rotation.from_exact` does.
 
         Examples
@@ -428,7 +435,7 @@ class Rotation(Conversions):
 
     # Pictures
 
-    def plot(self, ax: Any = None, points: ArrayLike | None = None) -> Any:
+    def plot(self, ax: "Axes3D | None" = None, points: ArrayLike | None = None) -> "Axes3D":
         """Draw one rotation in space: its axis, its angle, and points before and after.
 
         Parameters

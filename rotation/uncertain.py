@@ -8,7 +8,7 @@ All is written in `ad` and the adjoint, and so serves both groups.
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from operator import add
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 
@@ -89,7 +89,7 @@ class Uncertain:
         self._mean, self._covariance = mean, xp.broadcast_to(p, (*batch, n, n))
 
     @property
-    def mean(self) -> Any:
+    def mean(self) -> Motion:
         """The rotations or rigid motions themselves."""
         return self._mean
 
@@ -211,7 +211,7 @@ class Uncertain:
         rng: Seed | None = None,
         *,
         seed: Seed | None = None,
-    ) -> Any:
+    ) -> Motion:
         """Return motions drawn at random, of batch shape ``shape`` and then that of the mean.
 
         Parameters
@@ -244,7 +244,7 @@ class Uncertain:
         expect_numpy("from_samples", samples._q)
         if samples.single or len(samples) < 2:
             raise RotationError("a covariance takes at least two samples, along the first axis")
-        best: Any = samples.mean(axis=0)
+        best: Motion = samples.mean(axis=0)
         for _ in range(_STEPS):
             apart = samples.minus(best, "left")
             step = apart.mean(axis=0)
@@ -255,7 +255,7 @@ class Uncertain:
         raise RotationError(f"no mean was found in {_STEPS} steps: the samples spread too far")
 
 
-def _expect_uncertain(*members: Any) -> None:
+def _expect_uncertain(*members: Uncertain) -> None:
     for n, m in enumerate(members):
         if not isinstance(m, Uncertain):
             raise DTypeError(f"number {n} is {hints.described(m)}; expected an Uncertain")

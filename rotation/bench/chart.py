@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.output import OutputError, writing
 from hfield.errors import shorten
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # Distinguished by colour, hatch and lightness.
-LOOKS: dict[str, dict[str, Any]] = {
+LOOKS: dict[str, dict[str, str]] = {
     "floor": {"facecolor": "white", "edgecolor": INK},
     "ours": {"facecolor": BLUE, "edgecolor": INK},
     "peer": {"facecolor": PALE, "edgecolor": INK},

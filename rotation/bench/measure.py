@@ -18,15 +18,18 @@ from importlib.util import find_spec
 from itertools import pairwise
 from statistics import mean, median
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from rotation.array_types import ArrayLike
 from rotation.bench.tasks import Array, Task, Test
 from rotation.bench.ways.way import FrameFunction, Way
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from numpy.typing import DTypeLike
 
 TOLERANCE = (
     1e-13  # largest error of a coordinate, relative to the largest coordinate if that is over 1
@@ -278,10 +281,10 @@ def _dealer(number: int) -> Iterator[Callable[[Way, Task], FrameFunction]]:
         yield deal
 
 
-class _Pieces(list[Any]):
+class _Pieces(list[ArrayLike]):
     """The parts of a frame, joined only when somebody looks at them."""
 
-    def __array__(self, dtype: Any = None, copy: Any = None) -> Array:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Array:
         return np.concatenate([np.asarray(part) for part in self])
 
 

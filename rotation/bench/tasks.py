@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +66,7 @@ class Task:
         return np.stack(multiply(H, multiply(H, q, point), conjugate(H, q))[1:], axis=-1)
 
 
-def half_turn(axis: Array, angle: Any) -> Coordinates:
+def half_turn(axis: Array, angle: float | Array) -> Coordinates:
     """Return the coordinates of cos(angle/2) + sin(angle/2)·u, u along ``axis`` (…, 3)."""
     s = np.sin(angle / 2) / np.linalg.norm(axis, axis=-1)
     return np.cos(angle / 2), s * axis[..., 0], s * axis[..., 1], s * axis[..., 2]

@@ -6,7 +6,7 @@ import operator
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from time import perf_counter
-from typing import Any
+from typing import SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -206,7 +206,7 @@ def _checked(name: str, function: Function, tests: Sequence[Test], settings: Set
     return way
 
 
-def _count(value: Any, name: str) -> int:
+def _count(value: SupportsIndex, name: str) -> int:
     try:
         number = operator.index(value)
     except TypeError:

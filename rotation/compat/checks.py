@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import hints
 from rotation.array_types import Array, ArrayLike, Axes
@@ -131,7 +132,7 @@ def averaged(axis: Axes | None, ndim: int) -> tuple[int, ...]:
     return tuple({int(a) % ndim for a in axes})
 
 
-def exponent(n: Any, modulus: Any) -> Any:
+def exponent(n: npt.ArrayLike, modulus: object) -> float:
     """Return an exponent as a number, as scipy takes one."""
     if modulus is not None:
         raise NotImplementedError("modulus not supported")

@@ -5,10 +5,11 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Self, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import davenport, quaternions
 from rotation import rotation as ours
-from rotation.array_types import Array, ArrayLike, Axes, Seed
+from rotation.array_types import Array, ArrayLike, Axes, Index, Seed
 from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
 from rotation.errors import RotationError
@@ -210,7 +211,7 @@ class Rotation(Assignable):
             return NotImplemented
         return self._of(p) * self
 
-    def __pow__(self, n: Any, modulus: Any = None) -> Self:
+    def __pow__(self, n: npt.ArrayLike, modulus: object = None) -> Self:
         e = checks.exponent(n, modulus)
         if e == 1.0:
             return self._of(self._q.copy())
@@ -230,7 +231,7 @@ class Rotation(Assignable):
 
     def approx_equal(
         self, other: "Rotation", atol: float | None = None, degrees: bool = False
-    ) -> Any:
+    ) -> Array:
         """Return where the angle from one rotation to the other is less than ``atol``."""
         q = checks.expected(checks.quaternions(other), other, "other must be a Rotation")
         checks.common(self.shape, q.shape[:-1], "Expected broadcastable shapes")
@@ -306,7 +307,7 @@ class Rotation(Assignable):
             index = (*index, Ellipsis)
         return self._of(np.array(self._q[(*index, slice(None))]))
 
-    def __setitem__(self, index: Any, value: object) -> None:
+    def __setitem__(self, index: Index, value: object) -> None:
         self._expect_many()
         words = "value must be a Rotation object"
         self._q[index] = checks.expected(checks.quaternions(value), value, words)

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import rigid
 from rotation import rotation as ours
-from rotation.array_types import Array, ArrayLike, Axes
+from rotation.array_types import Array, ArrayLike, Axes, Index
 from rotation.averaging import mean_of_vectors
 from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
@@ -153,7 +154,7 @@ class RigidTransform(Assignable):
             return NotImplemented
         return self._of(m) * self
 
-    def __pow__(self, n: Any, modulus: Any = None) -> Self:
+    def __pow__(self, n: npt.ArrayLike, modulus: object = None) -> Self:
         e = checks.exponent(n, modulus)
         if e in (1.0, -1.0):
             return self._of(self._matrix.copy()) if e > 0.0 else self.inv()
@@ -202,7 +203,7 @@ class RigidTransform(Assignable):
         self._expect_many()
         return self._of(np.array(self._matrix[index]))
 
-    def __setitem__(self, index: Any, value: object) -> None:
+    def __setitem__(self, index: Index, value: object) -> None:
         self._expect_many()
         words = "value must be a RigidTransform object"
         self._matrix[index] = checks.expected(checks.matrices(value), value, words)

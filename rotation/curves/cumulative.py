@@ -108,7 +108,7 @@ class BSpline:
         return (motion, velocity, bend)[order]
 
 
-def _picked(control: Any, n: Array) -> Any:
+def _picked(control: Rotation | RigidTransform, n: Array) -> Rotation | RigidTransform:
     if isinstance(control, Rotation):
         return picked(control, n)
     return RigidTransform._of(taken(control._q, n), taken(control._t, n))

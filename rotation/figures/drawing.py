@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from hfield.plotting import import_matplotlib
 from rotation.angles import to_degrees
@@ -15,6 +17,9 @@ from rotation.errors import DTypeError
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.typing import ColorType
+
+    from rotation.array_types import Array
 
 # Four colours that stay apart with any colour vision and in grey (Okabe and Ito's palette).
 BLUE, RED, INK, GREY, PALE = "#0072b2", "#d55e00", "#1a1a1a", "#8c8c8c", "#dcdcdc"
@@ -22,7 +27,7 @@ PAGE, LIGHT_INK = "#11141b", "#eef1f7"  # of dark pictures
 
 Colour = tuple[float, float, float]
 
-STYLE: dict[str, Any] = {
+STYLE: dict[str, str | float] = {
     "font.size": 10.0,
     "axes.titlesize": 10.5,
     "axes.edgecolor": GREY,
@@ -36,7 +41,7 @@ STYLE: dict[str, Any] = {
     "svg.hashsalt": "hfield",
     "axes.prop_cycle": f"cycler(color=[{BLUE!r}, {RED!r}])",
 }
-DARK_STYLE: dict[str, Any] = {
+DARK_STYLE: dict[str, str] = {
     **dict.fromkeys(["figure.facecolor", "axes.facecolor", "savefig.facecolor"], PAGE),
     **dict.fromkeys(["text.color", "axes.labelcolor", "axes.titlecolor"], LIGHT_INK),
     **dict.fromkeys(["xtick.color", "ytick.color", "axes.edgecolor"], "#9aa3b5"),
@@ -68,14 +73,16 @@ def expect_axes(ax: object, kind: str) -> None:
         raise DTypeError(f"ax are {ax.name} axes; expected {kind} ones: write {ways[kind]}")
 
 
-def ink_of(ax: Axes) -> Any:
+def ink_of(ax: Axes) -> ColorType:
     """Return the colour of the axes' own lettering, which is legible on their background."""
     return ax.xaxis.label.get_color()
 
 
-def angle_text(angle: Any, degrees: bool = False) -> str:
+def angle_text(angle: float | Array, degrees: bool = False) -> str:
     """Return an angle as ``30°``, to four figures."""
-    return f"{float(angle if degrees else to_degrees(NUMPY, angle)):.4g}°".replace("-", "−")
+    return f"{float(angle if degrees else to_degrees(NUMPY, np.asarray(angle))):.4g}°".replace(
+        "-", "−"
+    )
 
 
 def two_colours() -> tuple[Colour, Colour]:

@@ -6,12 +6,12 @@ Those are drawn as printed and as they should be.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rotation.figures.drawing import BLUE, GREY, INK, PALE, RED
-from rotation.figures.plane import outline, plane_axes
+from rotation.figures.plane import Floats, outline, plane_axes
 from rotation.plane import (
     LETTER_T,
     area,
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Matrices = Callable[..., Any]
+Matrices = Callable[..., Floats]
 
 STEP = 30  # degrees between the passing positions of figure 2.4, which the thesis does not tell
 ANGLES = np.arange(11) * 36.0  # degrees: 2πn/10 for n = 0 … 10
@@ -90,7 +90,7 @@ def _square(ax: Axes, reach: float, width: float) -> None:
     plane_axes(ax, GREY, width)
 
 
-def _turned(degrees: float) -> Any:
+def _turned(degrees: float) -> Floats:
     return rotate2(LETTER_T, degrees, degrees=True)
 
 
@@ -103,14 +103,16 @@ def letter_mirrored(figure: Figure) -> None:
     _areas(axes[1, 1])
 
 
-def _images(ax: Any, matrices: Matrices) -> None:
+def _images(ax: Axes, matrices: Matrices) -> None:
     """Draw the images: filled and firm where the area is that of the T, thin and dashed elsewhere."""
     _square(ax, 19, 0.7)
     m = matrices(ANGLES[:10], degrees=True)
     images = transform(m[:, None], LETTER_T)
     kept = np.isclose(area(images), area(LETTER_T))
     for image, keeps in zip(images, kept, strict=True):
-        style = {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
+        style: dict[str, str | float] = (
+            {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
+        )
         outline(ax, image, edgecolor=INK if keeps else GREY, **style)
     outline(ax, np.array(LETTER_T, float), fill=False, edgecolor=RED, lw=2.2, hatch="////")
     for n, (x, y) in enumerate(transform(m, BEYOND)):
@@ -118,7 +120,7 @@ def _images(ax: Any, matrices: Matrices) -> None:
         ax.text(x - 0.8 * (n == 0), y, name, fontsize=9, ha=side, va="center")
 
 
-def _areas(ax: Any) -> None:
+def _areas(ax: Axes) -> None:
     """Plot the areas of the images over n."""
     fine = np.linspace(0, 360, 361)
     for matrices, colour, style in (

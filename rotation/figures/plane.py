@@ -17,6 +17,7 @@ from rotation.plane import from_polar, rotate2, to_polar
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.typing import ColorType
 
 Floats = NDArray[np.floating]
 
@@ -107,7 +108,7 @@ def turned_points(points: ArrayLike, angles: Sequence[float], joined: bool = Tru
     return Drawing("turned", "Points turned about the origin", (6.4, 6.4), draw)
 
 
-def plane_axes(ax: Axes, colour: Any, width: float = 0.8) -> None:
+def plane_axes(ax: Axes, colour: ColorType, width: float = 0.8) -> None:
     """Make the aspect equal and draw the two coordinate axes."""
     ax.set_aspect("equal")
     ax.axhline(0, color=colour, lw=width)
@@ -133,7 +134,7 @@ def arrow(
     ax: Axes,
     start: tuple[float, float],
     end: tuple[float, float],
-    colour: Any,
+    colour: ColorType,
     width: float = 1.8,
 ) -> None:
     """Draw an arrow from point to point."""
@@ -141,7 +142,7 @@ def arrow(
     ax.annotate("", xy=end, xytext=start, arrowprops=style)
 
 
-def arc(ax: Axes, radius: float, start: float, end: float, colour: Any) -> None:
+def arc(ax: Axes, radius: float, start: float, end: float, colour: ColorType) -> None:
     """Draw an arc about the origin from angle to angle, in radians, with a head at its end."""
     path = from_polar(radius, np.linspace(start, end, 61))
     ax.plot(*path.T, color=colour, lw=1.1)

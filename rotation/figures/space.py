@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotation.array_types import ArrayLike
 from rotation.arrays import components
 from rotation.errors import RotationError
 from rotation.figures.drawing import (
@@ -22,6 +23,7 @@ from rotation.namespaces import expect_numpy, refuse_rows
 from rotation.vectors import from_axis_angle, to_axis_angle
 
 if TYPE_CHECKING:
+    from matplotlib.typing import ColorType
     from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 Floats = NDArray[np.floating]
@@ -30,7 +32,7 @@ FRAME = np.eye(3)
 LETTERS = "xyz"
 
 
-def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
+def plot_rotation(q: Floats, ax: Axes3D | None, points: ArrayLike | None) -> Axes3D:
     """Draw the rotation by a unit quaternion (4,), as described at `rotation.Rotation.plot`."""
     expect_numpy("plot", q)
     if q.ndim != 1:
@@ -38,7 +40,7 @@ def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
             f"plot draws a single rotation, and this is an array of shape {q.shape[:-1]}; draw one of them, "
             "as by r[0].plot()"
         )
-    refuse_rows(~np.isfinite(q).all(), "the rotation", "is not finite")
+    refuse_rows(np.asarray(~np.isfinite(q).all()), "the rotation", "is not finite")
     start = FRAME if points is None else _checked(points)
     if ax is not None:
         expect_axes(ax, "3d")
@@ -48,7 +50,7 @@ def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
         from matplotlib import pyplot
 
         figure = pyplot.figure(figsize=(5.6, 5.4), layout="constrained")
-        made: Any = figure.add_subplot(projection="3d")
+        made: Axes3D = figure.add_subplot(projection="3d")
         _draw(made, q, start, points is None)
         made.set_title(_title(q))
         made.tick_params(labelsize=9)  # in points: a size in words is read again at every drawing
@@ -56,7 +58,7 @@ def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
     return made
 
 
-def _checked(points: Any) -> Floats:
+def _checked(points: ArrayLike) -> Floats:
     rows = components(points, 3, "points", "aos")
     if rows.ndim != 2 or not len(rows):
         raise RotationError(f"expected points of shape (n, 3), n at least 1, found {rows.shape}")
@@ -72,7 +74,7 @@ def _title(q: Floats) -> str:
     return f"{angle_text(angle)} about ({numbers})"
 
 
-def _draw(ax: Any, q: Floats, start: Floats, frame: bool) -> None:
+def _draw(ax: Axes3D, q: Floats, start: Floats, frame: bool) -> None:
     """Draw the axis, the points before and after, their paths, and the angle at the longest of these."""
     axis, angle = to_axis_angle(q.astype(np.float64))
     end = start @ to_matrix(q.astype(np.float64)).T
@@ -98,7 +100,7 @@ def _draw(ax: Any, q: Floats, start: Floats, frame: bool) -> None:
 
 
 def _draw_frame(
-    ax: Any, frame: Floats, colour: Colour, mark: str, beyond: float, **style: Any
+    ax: Axes3D, frame: Floats, colour: Colour, mark: str, beyond: float, **style: Any
 ) -> None:
     """Draw three vectors from the origin, with the letters x, y and z beyond their ends."""
     vectors = np.stack([0 * frame, frame], axis=-1)
@@ -109,7 +111,7 @@ def _draw_frame(
     ax.auto_scale_xyz(*(beyond * frame).T)  # with room for the letters
 
 
-def _equal_lengths(ax: Any) -> None:
+def _equal_lengths(ax: Axes3D) -> None:
     """Set equal limits on all axes, unless the user has fixed the limits."""
     if ax.get_autoscale_on():
         limits = np.array([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
@@ -119,7 +121,7 @@ def _equal_lengths(ax: Any) -> None:
         ax.set_box_aspect((1, 1, 1))
 
 
-def _draw_paths(ax: Any, axis: Floats, angle: float, start: Floats, ink: Any) -> None:
+def _draw_paths(ax: Axes3D, axis: Floats, angle: float, start: Floats, ink: ColorType) -> None:
     """Draw the arc from each point to its image, and the angle at the widest of them."""
     turns = to_matrix(from_axis_angle(axis, np.linspace(0, angle, 49)))
     for point in start:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from rotation.array_types import ArrayLike
 from rotation.bench.tasks import Array, Task
 from rotation.bench.ways.way import FrameFunction, Way
 
@@ -39,9 +38,10 @@ def _scipy_euler(task: Task) -> FrameFunction:
 def _quaternionic_one_axis(task: Task) -> FrameFunction:
     import quaternionic
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         q = quaternionic.array.from_rotation_vector(np.array([0.0, 0.0, task.angles[n]]))
-        return q.rotate(task.points)
+        turned: ArrayLike = q.rotate(task.points)
+        return turned
 
     return frame
 
@@ -52,9 +52,10 @@ def _quaternionic_own_axis(task: Task) -> FrameFunction:
 
     points = quaternionic.array.from_vector_part(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         q = quaternionic.array.from_rotation_vector(_rotation_vectors(task, n))
-        return (q * points * q.conjugate()).vector
+        turned: ArrayLike = (q * points * q.conjugate()).vector
+        return turned
 
     return frame
 
@@ -65,10 +66,11 @@ def _quaternionic_euler(task: Task) -> FrameFunction:
 
     points = quaternionic.array.from_vector_part(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         z, y, x = (quaternionic.array(rotor) for rotor in _rotors(task))
         q = z * y * x
-        return (q * points * q.conjugate()).vector
+        turned: ArrayLike = (q * points * q.conjugate()).vector
+        return turned
 
     return frame
 
@@ -76,9 +78,10 @@ def _quaternionic_euler(task: Task) -> FrameFunction:
 def _numpy_quaternion_one_axis(task: Task) -> FrameFunction:
     import quaternion
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         q = quaternion.from_rotation_vector(np.array([0.0, 0.0, task.angles[n]]))
-        return quaternion.rotate_vectors(q, task.points)
+        turned: ArrayLike = quaternion.rotate_vectors(q, task.points)
+        return turned
 
     return frame
 
@@ -89,9 +92,10 @@ def _numpy_quaternion_own_axis(task: Task) -> FrameFunction:
 
     points = quaternion.from_vector_part(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         q = quaternion.from_rotation_vector(_rotation_vectors(task, n))
-        return quaternion.as_vector_part(q * points * q.conjugate())
+        turned: ArrayLike = quaternion.as_vector_part(q * points * q.conjugate())
+        return turned
 
     return frame
 
@@ -102,10 +106,11 @@ def _numpy_quaternion_euler(task: Task) -> FrameFunction:
 
     points = quaternion.from_vector_part(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         z, y, x = (quaternion.as_quat_array(rotor) for rotor in _rotors(task))
         q = z * y * x
-        return quaternion.as_vector_part(q * points * q.conjugate())
+        turned: ArrayLike = quaternion.as_vector_part(q * points * q.conjugate())
+        return turned
 
     return frame
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import numpy as np
 
+from rotation.array_types import ArrayLike
 from rotation.arrays import Layout
 from rotation.bench.tasks import Array, Task, half_turn
 from rotation.bench.ways.way import FrameFunction, Way
@@ -23,11 +23,11 @@ def _rotate(task: Task, layout: Layout) -> FrameFunction:
     points, axes = _laid_out(task.points, layout), _laid_out(task.axes, layout)
     out, length = np.empty_like(points), len(task.points)
 
-    def one(n: int) -> Any:
+    def one(n: int) -> ArrayLike:
         rotate(points, Z, task.angles[n], out=out, layout=layout)
         return out if layout == "aos" else out.T
 
-    def own(n: int) -> Any:
+    def own(n: int) -> ArrayLike:
         rotate(points, axes, task.angles[n : n + length], out=out, layout=layout)
         return out if layout == "aos" else out.T
 
@@ -44,7 +44,7 @@ def _rotate_euler(task: Task, layout: Layout) -> FrameFunction:
     out = np.empty_like(points)
     angles = points.copy()  # apart from the points, as angles usually are
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         rotate_euler(points, angles, "ZYX", out=out, layout=layout)
         return out if layout == "aos" else out.T
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from rotation.array_types import ArrayLike
 from rotation.bench.tasks import Array, Task
 from rotation.bench.ways.way import FrameFunction, Way
 from rotation.thesis import zaxisMatrixrotation
@@ -14,7 +13,7 @@ from rotation.thesis import zaxisMatrixrotation
 def _copy(task: Task) -> FrameFunction:
     out = np.empty_like(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         np.copyto(out, task.points)
         return out
 
@@ -24,7 +23,7 @@ def _copy(task: Task) -> FrameFunction:
 def _one_axis(task: Task) -> FrameFunction:
     out = np.empty_like(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         matrix: Array = np.array(zaxisMatrixrotation(task.angles[n]))
         return np.matmul(task.points, matrix.T, out=out)
 
@@ -38,7 +37,7 @@ def _own_axis(task: Task) -> FrameFunction:
     axes = np.ascontiguousarray(task.axes.T)
     length = len(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         angle = task.angles[n : n + length]
         a, b, c = axes / np.sqrt(np.einsum("ij,ij->j", axes, axes))
         s, cosine = np.sin(angle), np.cos(angle)
@@ -55,7 +54,7 @@ def _euler(task: Task) -> FrameFunction:
     x, y, z = angles = np.ascontiguousarray(task.points.T)
     out = np.empty_like(task.points)
 
-    def frame(n: int) -> Any:
+    def frame(n: int) -> ArrayLike:
         (s0, s1, s2), (c0, c1, c2) = np.sin(angles), np.cos(angles)
         y1, z1 = c2 * y - s2 * z, s2 * y + c2 * z
         x2 = c1 * x + s1 * z1

@@ -11,15 +11,15 @@ from importlib.util import decode_source
 from pathlib import Path
 from traceback import extract_tb
 from types import ModuleType
-from typing import Any
 
 from hfield.errors import shorten
+from rotation.array_types import ArrayLike
 from rotation.bench.tasks import Array, Kind, Task
 from rotation.bench.ways.ours import Z
 from rotation.bench.ways.way import FrameFunction, Way
 from rotation.errors import RotationError
 
-Function = Callable[..., Any]
+Function = Callable[..., ArrayLike]
 AXIS, EULER = ("points", "axis", "angle"), ("points", "angles")
 KINDS: dict[tuple[str, ...], tuple[Kind, ...]] = {AXIS: ("one axis", "own axis"), EULER: ("euler",)}
 PARAMETERS = "(points, axis, angle) or (points, angles)"

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
+from rotation.array_types import ArrayLike
 from rotation.bench.tasks import Kind, Task
 
-FrameFunction = Callable[
-    [int], Any
-]  # computes one frame and returns the points, (n, 3) or a list of lists
+FrameFunction = Callable[[int], ArrayLike]
+"""Compute one frame and return the points, (n, 3) or a list of lists."""
 Role = Literal["floor", "ours", "peer", "thesis", "own"]
 
 
