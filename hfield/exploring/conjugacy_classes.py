@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure.elements.trace_and_norm import element_of
+from hfield.core.product import Constants, Scalar
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.fields import quadratic_forms
@@ -93,9 +94,9 @@ class ListedClass(ConjugacyClass):
 class QuadraticPolynomial:
     """A polynomial ``X² − t·X + n`` over a finite field, with the roots that it has there."""
 
-    t: Any
-    n: Any
-    roots: tuple[Any, ...]
+    t: Scalar
+    n: Scalar
+    roots: tuple[Scalar, ...]
 
 
 class SplitClass(ConjugacyClass):
@@ -136,7 +137,7 @@ class TransvectionClass(SplitClass):
     and −z, by d and squares.
     """
 
-    def __init__(self, algebra: Parent, polynomial: QuadraticPolynomial, factor: Any) -> None:
+    def __init__(self, algebra: Parent, polynomial: QuadraticPolynomial, factor: Scalar) -> None:
         super().__init__(algebra, polynomial, False)
         self._size //= 2
         self._factor = factor
@@ -162,13 +163,13 @@ def splitting(algebra: Parent) -> CoordinateSplitting:
 
 
 @lru_cache(maxsize=8)
-def _splitting(ring: Any, constants: Any) -> CoordinateSplitting:
+def _splitting(ring: Ring, constants: Constants) -> CoordinateSplitting:
     found = quadratic_forms.split(ring, constants)
     assert found is not None, "over a finite field every central simple algebra splits"
     return found
 
 
-def quadratics(ring: Ring, n: Any = None) -> Iterator[QuadraticPolynomial]:
+def quadratics(ring: Ring, n: Scalar | None = None) -> Iterator[QuadraticPolynomial]:
     """Yield all polynomials X² − tX + n over a finite field, or those of one n."""
     assert ring.order is not None
     if ring.order**2 > MAX_CLASSES:
@@ -177,7 +178,7 @@ def quadratics(ring: Ring, n: Any = None) -> Iterator[QuadraticPolynomial]:
             "that are listed"
         )
     elements = list(ring.elements())
-    roots: dict[Any, list[Any]] = {}
+    roots: dict[Hashable, list[Scalar]] = {}
     for place, x in enumerate(elements):
         for y in elements[place:]:
             roots.setdefault((ring.key(x + y), ring.key(x * y)), [x] if y is x else [x, y])

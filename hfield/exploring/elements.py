@@ -16,15 +16,17 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion, TooManyError
 from hfield.algebra.structure.invariants.finite_radical import is_nilpotent as is_nilpotent_scalar
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, TooLargeError, UndecidedError, shorten
 from hfield.exploring.formulas import expanded, trace_count
 from hfield.exploring.labels import MAX_ORDER, LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import CONDITIONS, Condition, has_property
+from hfield.fields.base.ring import Ring
 
 if TYPE_CHECKING:
     import numpy as np
@@ -370,7 +372,7 @@ def _select(labels: LabelledAlgebra, condition: Condition) -> _Selection:
     return _Selection(keys, _cached(_by_norm(labels, second, wanted), cached))
 
 
-def _is_nilpotent(ring: Any, x: Any) -> bool:
+def _is_nilpotent(ring: Ring, x: Scalar) -> bool:
     return bool(ring.is_zero(x) if ring.is_field else is_nilpotent_scalar(ring, x))
 
 
@@ -441,10 +443,12 @@ def _cached(function: Callable[[int], np.ndarray], size: int) -> Callable[[int],
     return lru_cache(size)(function)
 
 
-def check_scalar(algebra: Parent, x: object) -> Any:
+def check_scalar(algebra: Parent, x: object) -> Scalar:
     """Return a scalar of the base ring. Raises :class:`CoercionError`."""
     if isinstance(x, Quaternion):
         if x.algebra != algebra or not x.vector_part.is_zero():
             raise CoercionError(f"expected a scalar of {algebra.ring}, found {shorten(x)}")
-        return x.scalar_part
-    return algebra.ring(x)
+        part: Scalar = x.scalar_part
+        return part
+    found: Scalar = algebra.ring(x)
+    return found

@@ -7,10 +7,9 @@ generate. Over ℤ/n an ideal is the product of ideals modulo the prime powers o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from itertools import product
 from math import prod
-from typing import Any
 
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
@@ -125,7 +124,7 @@ def _projective_line(algebra: Parent, side: str) -> list[Quaternion]:
     return found
 
 
-_PRODUCTS: dict[str, Callable[[Any, Quaternion], list[Quaternion]]] = {
+_PRODUCTS: dict[str, Callable[[Sequence[Quaternion], Quaternion], list[Quaternion]]] = {
     "left": lambda basis, x: [u * x for u in basis],
     "right": lambda basis, x: [x * u for u in basis],
     "two-sided": lambda basis, x: products([u * x for u in basis], basis),
@@ -138,7 +137,7 @@ def _generated(algebra: Parent, side: str, x: Quaternion) -> AlgebraIdeal:
 
 def _proper(algebra: Parent, side: str) -> list[AlgebraIdeal]:
     """Return the ideals other than 0 and all: principal ones, then their sums."""
-    found: dict[Any, AlgebraIdeal] = {}
+    found: dict[Hashable, AlgebraIdeal] = {}
     for x in _up_to_scalars(algebra):
         ideal = _generated(algebra, side, x)
         if algebra.one not in ideal:  # a two-sided ideal may contain units

@@ -7,13 +7,13 @@ norm n others come by ``q²/N(q)``, which has norm 1.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from random import Random
-from typing import Any
 
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure.elements.trace_and_norm import element_of
+from hfield.core.product import Coordinates, Scalar
 from hfield.errors import UndecidedError
 from hfield.exploring.properties import Condition
 from hfield.fields import quadratic_forms
@@ -37,7 +37,7 @@ def sample(algebra: Parent, condition: Condition, n: int, seed: int) -> tuple[Qu
         )
     draw = _drawing(algebra, condition, Random(seed))
     found: list[Quaternion] = []
-    seen: set[Any] = set()
+    seen: set[Hashable] = set()
     misses = 0
     while len(found) < n and misses < MAX_TRIALS:
         q = draw()
@@ -109,7 +109,7 @@ def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[],
 
 
 def _of_trace(
-    algebra: Parent, s: Any, anything: Callable[[], Quaternion]
+    algebra: Parent, s: Scalar, anything: Callable[[], Quaternion]
 ) -> Callable[[], Quaternion | None]:
     """Return what draws an element of trace s: the others differ by elements of trace 0."""
     ring, t = algebra.ring, algebra.constants.t
@@ -129,7 +129,7 @@ def _of_trace(
     return of_trace
 
 
-def _of_norm(algebra: Parent, n: Any) -> Any:
+def _of_norm(algebra: Parent, n: Scalar) -> Coordinates:
     """Return an element of norm n. Raises :class:`UndecidedError` where none is found."""
     ring, c = algebra.ring, algebra.constants
     root = ring.sqrt(n)

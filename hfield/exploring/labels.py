@@ -18,7 +18,7 @@ from hfield.algebra.structure.counting.tally import (
     compiled_loops,
 )
 from hfield.core import product
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Scalar
 from hfield.errors import NotFiniteError, TooLargeError, shorten
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class LabelledAlgebra:
 
     # --- labels and elements -------------------------------------------------------------------
 
-    def label(self, x: Any) -> int:
+    def label(self, x: Scalar) -> int:
         """Return the label of a scalar."""
         return self.tables.index[self.ring.key(x)]
 
@@ -201,5 +201,5 @@ def labelled(algebra: Parent) -> LabelledAlgebra:
 
 
 @lru_cache(maxsize=8)
-def _labelled(algebra: Any) -> LabelledAlgebra:
+def _labelled(algebra: Parent) -> LabelledAlgebra:
     return LabelledAlgebra(algebra)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.core.product import Coordinates, norm
+from hfield.core.product import Coordinates, Scalar, norm
 from hfield.errors import TooLargeError
 from hfield.exploring.infinite_fields import sample
 from hfield.exploring.properties import Condition, has_property
@@ -48,12 +48,12 @@ def solutions(algebra: Parent, condition: Condition) -> Iterator[Quaternion]:
     return (Quaternion(algebra, q) for q in found)
 
 
-def _order(algebra: Parent) -> Callable[[Coordinates], Any]:
+def _order(algebra: Parent) -> Callable[[Coordinates], tuple[int, ...]]:
     label: Any = getattr(algebra.ring, "label", algebra.ring.key)
     return lambda q: tuple(map(label, q))
 
 
-def _of_trace(algebra: Parent, s: Any) -> Iterator[tuple[Any, Any]]:
+def _of_trace(algebra: Parent, s: Scalar) -> Iterator[tuple[Scalar, Scalar]]:
     """Yield the pairs (w, x) with ``2w + t·x = s`` over a finite field, in order."""
     ring, t = algebra.ring, algebra.constants.t
     two = ring(2)
@@ -90,7 +90,7 @@ def _units(algebra: Parent) -> Iterator[Coordinates]:
                     yield w, x, y, z
 
 
-def _of_norm(algebra: Parent, n: Any, s: Any) -> Iterator[Coordinates]:
+def _of_norm(algebra: Parent, n: Scalar, s: Scalar | None) -> Iterator[Coordinates]:
     """Yield the elements of norm n, and of trace s where it is given, over a finite field.
 
     The norm is one binary form of (w, x) plus one of (y, z); nothing is gone through where the second, or
@@ -100,7 +100,7 @@ def _of_norm(algebra: Parent, n: Any, s: Any) -> Iterator[Coordinates]:
     if s is None and structure.count(ring, c, "norm", n).value == 0:
         return
     first, second = _forms(algebra)
-    pairs: Iterable[tuple[Any, Any]]
+    pairs: Iterable[tuple[Scalar, Scalar]]
     if s is not None:
         pairs = _of_trace(algebra, s)
     elif second.is_zero:
@@ -120,7 +120,7 @@ def _of_norm(algebra: Parent, n: Any, s: Any) -> Iterator[Coordinates]:
             without = w
 
 
-def _all_pairs(ring: Ring) -> Iterator[tuple[Any, Any]]:
+def _all_pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
     return ((y, z) for y in ring.elements() for z in ring.elements())
 
 
@@ -129,7 +129,7 @@ class _BinaryForm:
     """``α·y² + β·yz + γ·z²`` over a finite field."""
 
     ring: Ring
-    coefficients: tuple[Any, Any, Any]
+    coefficients: tuple[Scalar, Scalar, Scalar]
 
     @property
     def is_zero(self) -> bool:
@@ -141,12 +141,12 @@ class _BinaryForm:
         """Whether it is ``α·y²``."""
         return all(map(self.ring.is_zero, self.coefficients[1:]))
 
-    def value(self, y: Any, z: Any) -> Any:
+    def value(self, y: Scalar, z: Scalar) -> Scalar:
         """Return the value."""
         a, b, c = self.coefficients
         return a * y * y + b * y * z + c * z * z
 
-    def solutions(self, v: Any) -> Iterator[tuple[Any, Any]]:
+    def solutions(self, v: Scalar) -> Iterator[tuple[Scalar, Scalar]]:
         """Yield the pairs with the value v, in order."""
         ring = self.ring
         a, b, c = self.coefficients
@@ -172,7 +172,7 @@ class _BinaryForm:
         a, b, c = self.coefficients
         return self.ring.characteristic != 2 and self.ring.is_zero(b * b - self.ring(4) * a * c)
 
-    def _roots(self, coefficients: list[Any]) -> list[Any]:
+    def _roots(self, coefficients: list[Scalar]) -> list[Scalar]:
         """Return the roots of a polynomial in order; all of the field for 0."""
         ring = self.ring
         while coefficients and ring.is_zero(coefficients[-1]):
@@ -183,7 +183,7 @@ class _BinaryForm:
         return sorted(ring.roots(coefficients), key=label.label) if len(coefficients) > 1 else []
 
 
-def _binary(ring: Ring, form: Callable[[Any, Any], Any]) -> _BinaryForm:
+def _binary(ring: Ring, form: Callable[[Scalar, Scalar], Scalar]) -> _BinaryForm:
     """Return the coefficients of a binary form that is given as a function."""
     o, e = ring.zero, ring.one
     a, c = form(e, o), form(o, e)

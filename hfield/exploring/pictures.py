@@ -25,6 +25,7 @@ from hfield.plotting import (
 
 if TYPE_CHECKING:
     import numpy as np
+    from matplotlib.figure import Figure
 
 SIDES = {
     "ideals": "left",
@@ -68,7 +69,7 @@ def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
 
 
 @default_settings()
-def figure(algebra: Parent, what: str, dark: bool) -> Any:
+def figure(algebra: Parent, what: str, dark: bool) -> Figure:
     """Return the picture as a figure of matplotlib."""
     if what not in PICTURES:
         raise CoercionError(
@@ -111,7 +112,7 @@ def _colors(labels: LabelledAlgebra, theme: Theme) -> np.ndarray:
     return colors
 
 
-def _products(labels: LabelledAlgebra, theme: Theme) -> Any:
+def _products(labels: LabelledAlgebra, theme: Theme) -> Figure:
     import numpy as np
 
     if labels.size > MAX_ROWS:
@@ -135,7 +136,7 @@ def _products(labels: LabelledAlgebra, theme: Theme) -> Any:
     return page
 
 
-def _norms(labels: LabelledAlgebra, theme: Theme) -> Any:
+def _norms(labels: LabelledAlgebra, theme: Theme) -> Figure:
     import numpy as np
 
     size = labels.q**2
@@ -156,7 +157,7 @@ def _norms(labels: LabelledAlgebra, theme: Theme) -> Any:
 # --- ideals ---------------------------------------------------------------------------------------
 
 
-def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], theme: Theme) -> Any:
+def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], theme: Theme) -> Figure:
     if len(found) > MAX_NODES:
         raise TooLargeError(f"{algebra} has {len(found)} ideals, and at most {MAX_NODES} are drawn")
     levels = sorted({ideal.length for ideal in found})
@@ -220,7 +221,7 @@ def _covers(found: Sequence[AlgebraIdeal]) -> list[tuple[AlgebraIdeal, AlgebraId
 # --- graphs ---------------------------------------------------------------------------------------
 
 
-def _graph(labels: LabelledAlgebra, kind: str, theme: Theme) -> Any:
+def _graph(labels: LabelledAlgebra, kind: str, theme: Theme) -> Figure:
     import numpy as np
     from matplotlib.collections import LineCollection
 

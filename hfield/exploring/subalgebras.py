@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations, product
-from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, TooLargeError
 from hfield.exploring.elements import Elements
 from hfield.exploring.labels import order_of_ring
@@ -77,9 +77,10 @@ class Subalgebra(Submodule):
         return f"<subalgebra of {self.algebra}: {self.span_text}, {self.kind}>"
 
 
-def _discriminant(x: Quaternion) -> Any:
+def _discriminant(x: Quaternion) -> Scalar:
     t, n = x.trace(), x.norm()
-    return t * t - x.ring(4) * n
+    found: Scalar = t * t - x.ring(4) * n
+    return found
 
 
 def subalgebras(algebra: Parent, dimension: int) -> tuple[Subalgebra, ...]:

@@ -330,7 +330,7 @@ def unit_group(algebra: Parent, special: bool = False) -> FiniteUnitGroup:
 
 
 @lru_cache(maxsize=4)
-def _unit_group(algebra: Any, special: bool) -> FiniteUnitGroup:
+def _unit_group(algebra: Parent, special: bool) -> FiniteUnitGroup:
     if structure.is_central_simple(algebra.ring, algebra.constants):
         return LinearGroup(algebra, special)
     return ListedUnitGroup(

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from functools import partial
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
@@ -260,7 +260,7 @@ def _newforms(C: ClassSet) -> list[Newform]:
     return [f for f in C.newforms() if f.degree == 1]
 
 
-def _forms_data(C: Any) -> dict[str, object]:
+def _forms_data(C: ClassSet) -> dict[str, object]:
     """Return dimensions and newforms, as JSON data."""
     forms = [
         {
@@ -273,7 +273,7 @@ def _forms_data(C: Any) -> dict[str, object]:
     return {**sizes, "newforms": forms}
 
 
-def _forms(C: Any) -> list[Part]:
+def _forms(C: ClassSet) -> list[Part]:
     """Return dimensions and newforms, as parts."""
     from hfield.presenting import Facts
 

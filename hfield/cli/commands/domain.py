@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import of_parts
 from hfield.cli.orders import add_algebra, algebra_of, answer_certified, level_of
@@ -88,12 +88,12 @@ def _complex(text: str) -> complex:
         ) from None
 
 
-def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, Any]:
+def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, object]:
     """Return what programs read, with CM points in the domain."""
     group = domain.group
     text = group.order.algebra.ring.text
     genus, orders, cusps = group.signature
-    data: dict[str, Any] = {
+    data: dict[str, object] = {
         "schema": "hfield-domain/1",
         "algebra": str(group.order.algebra),
         "level": group.order.level

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.output import Sink, open_output
 from hfield.cli.parser import UsageError, add_format, add_output, suggest, whole
@@ -110,7 +110,7 @@ def _write_elements(out: Sink, found: Elements, args: Namespace) -> None:
         out.write("\n".join(block))
 
 
-def _head(args: Namespace) -> dict[str, Any]:
+def _head(args: Namespace) -> dict[str, object]:
     return {"schema": "hfield-list/1", "algebra": args.algebra, "what": args.what}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
@@ -73,8 +73,8 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     O = _made(args)
-    data: Callable[[Any], dict[str, Any]] = to_json
-    page: Callable[[Any], list[Part]] = parts
+    data: Callable[[Order], dict[str, object]] = to_json
+    page: Callable[[Order], list[Part]] = parts
     if not O.value.ambient.base.is_rational:
         data, page = data_over_number_field, parts_over_number_field
     if not args.units:
@@ -88,13 +88,13 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     return shown, lambda: O.claim
 
 
-def _units_json(O: Any) -> dict[str, Any]:
+def _units_json(O: Order) -> dict[str, object]:
     """Return the units for programs, by their coordinates."""
     text = O.algebra.ring.text
     return {"unit_list": [[text(x) for x in q.coordinates] for q in O.units()]}
 
 
-def _listed_units(O: Any) -> Part:
+def _listed_units(O: Order) -> Part:
     """Return the units for people; over a number field one of each coset of those of the field."""
     from hfield.presenting import Facts
 
@@ -102,7 +102,7 @@ def _listed_units(O: Any) -> Part:
     return Facts([(name, str(q)) for q in O.units()], 22)
 
 
-def _made(args: Namespace) -> Any:
+def _made(args: Namespace) -> Order:
     """Return the order that the arguments describe."""
     A = algebra_of(args.algebra)
     if args.extremal:
@@ -114,7 +114,7 @@ def _made(args: Namespace) -> Any:
     return A.eichler_order(level_of(args.level or "1", A))
 
 
-def to_json(O: Order) -> dict[str, Any]:
+def to_json(O: Order) -> dict[str, object]:
     """Return what programs read."""
     den, rows = O.hnf
     definite = "inf" in O.algebra.ramified_places()  # type: ignore[attr-defined]
@@ -173,23 +173,23 @@ def parts(O: Order) -> list[Part]:
         else f"{data['units']}, the group {data['unit_group']}"
     )
     facts = [
-        ("algebra", data["algebra"]),
+        ("algebra", str(data["algebra"])),
         ("basis", ", ".join(str(q) for q in O.basis)),
         ("reduced discriminant", f"{data['discriminant']}, of level {data['level']}: {kind}"),
         ("conductor", str(data["conductor"])),
         ("units", units),
     ]
     if data["label"] is not None:
-        facts.append(("label", data["label"]))
+        facts.append(("label", str(data["label"])))
     if data["mass"] is not None:
-        facts.append(("mass", data["mass"]))
+        facts.append(("mass", str(data["mass"])))
     if data["class_number"] is not None:
         facts.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
     formulas = {"algebra": f"${O.algebra.latex()}$", "basis": f"${O.latex()}$"}
     return [Facts(facts, 22, formulas=formulas)]
 
 
-def data_over_number_field(O: Order) -> dict[str, Any]:
+def data_over_number_field(O: Order) -> dict[str, object]:
     """Return what programs read of an order over the integers of a number field."""
     maximal = O.is_maximal()
     return {

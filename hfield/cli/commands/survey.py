@@ -14,6 +14,7 @@ from hfield.cli.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from hfield.core.journal import Journal
     from hfield.surveys import Pair, Survey
 
 HELP = (
@@ -188,7 +189,7 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     return surveys.GROUPS if args.groups else surveys.CLASSES, pairs
 
 
-def _done(journal: Any, names: tuple[str, str]) -> set[Pair]:
+def _done(journal: Journal, names: tuple[str, str]) -> set[Pair]:
     try:
         return {(row[names[0]], row[names[1]]) for row in journal.read()}
     except (ValueError, KeyError, TypeError):
@@ -208,7 +209,7 @@ def _pyarrow() -> Any:
     return pyarrow
 
 
-def _to_parquet(journal: Any, path: Path, names: tuple[str, str]) -> None:
+def _to_parquet(journal: Journal, path: Path, names: tuple[str, str]) -> None:
     """Write the rows of the journal as one Parquet file, whole or not at all, and drop the journal."""
     pyarrow = _pyarrow()
     rows = sorted(journal.read(), key=lambda row: (row[names[0]], row[names[1]]))

@@ -93,14 +93,14 @@ def _over(value: Any, old: str, new: str) -> Any:
     }
 
 
-def _ring(name: str) -> Mapping[str, Any]:
+def _ring(name: str) -> Mapping[str, object]:
     data = ring(name).data
     if data is None:
         raise RingError(f"{name} has no data that a certificate can carry")
     return data
 
 
-def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
+def _place(text: str, data: Mapping[str, object] | None) -> Mapping[str, object]:
     """Read a place as the first schema wrote it. Raises :class:`HFieldError`."""
     from hfield.fields.quadratic_forms.global_field import known_field
 
@@ -124,5 +124,5 @@ def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
             "polynomial": polynomial,
             "generator": generator,
         }
-    found: Mapping[str, Any] = field.place_data(known_field(field).read_place(text))
+    found: Mapping[str, object] = field.place_data(known_field(field).read_place(text))
     return found

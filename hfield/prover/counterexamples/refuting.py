@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count, islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpq
 
@@ -107,7 +107,7 @@ MAX_NODES = 1_500
 MAX_TERMS = 400
 BRANCHES = 5
 
-Polynomial = dict[Monomial, Any]
+Polynomial = dict[Monomial, Scalar]
 
 
 def solve(problem: Problem, x: Expanded, clause: PolynomialClause) -> Assignment | None:

@@ -7,14 +7,13 @@ by what it knows of conics.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.algebra import structure
 from hfield.core.product import Coordinates, Scalar
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import RingScalars
-from hfield.prover.evaluation.searcher import Searcher, assigned
+from hfield.prover.evaluation.searcher import Assignment, Searcher, assigned
 from hfield.prover.polynomials.expansion import Expanded, PolynomialFraction, Symbolic
 from hfield.prover.polynomials.normal_form import branches
 from hfield.prover.polynomials.vanishing import Monomial, coefficients
@@ -22,18 +21,19 @@ from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Sort
 from hfield.prover.statements.trees import conjuncts
 from hfield.syntax import Compare, Name
+from hfield.syntax.tree import Node
 
 MAX_BRANCHES = 16
 MAX_SIZE = 40  # of the rows and of the columns of a linear system
 
-Polynomial = dict[Monomial, Any]
+Polynomial = dict[Monomial, Scalar]
 
 
 @dataclass(frozen=True)
 class SolutionPlaces:
     """Some ``places`` at which equations hold; ``none`` tells that they hold nowhere."""
 
-    places: tuple[dict[str, Any], ...] = ()
+    places: tuple[Assignment, ...] = ()
     none: bool = False
 
 
@@ -52,7 +52,7 @@ def closed_solutions(problem: Problem) -> SolutionPlaces:
     if len(ways) > MAX_BRANCHES or world.conditions:
         return SolutionPlaces()
     x = Expanded(world.context, world.variables, world.unknowns, ())
-    places, none = list[dict[str, Any]](), True
+    places, none = list[Assignment](), True
     for way in ways:
         zeros = [f for part in way if part.zero for f in part.polynomials]
         try:
@@ -94,8 +94,8 @@ def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[
             yield root
 
 
-def _value(c: Sequence[Scalar], x: Scalar, field: Ring) -> Any:
-    total = field.zero
+def _value(c: Sequence[Scalar], x: Scalar, field: Ring) -> Scalar:
+    total: Scalar = field.zero
     for a in reversed(c):
         total = total * x + a
     return total
@@ -158,7 +158,7 @@ def _hermite(rows: list[list[Scalar]], ring: Ring) -> list[Scalar] | None:
 ONE: Monomial = (0, 0, 0, 0)
 SQUARE: Monomial = (2, 0, 0, 0)
 
-Quadratic = tuple[Any, Coordinates]  # s/2 and c, for q² + s·q = c
+Quadratic = tuple[Scalar, Coordinates]  # s/2 and c, for q² + s·q = c
 
 
 def quaternion_roots(problem: Problem) -> list[Coordinates] | None:
@@ -193,7 +193,7 @@ def _read(problem: Problem, node: Compare) -> Quadratic | None:
     x = Expanded(world.context, world.variables, world.unknowns, ())
     name = Name(problem.statement.unknowns[0][0])
 
-    def expanded(tree: Any) -> list[dict[Monomial, Any]] | None:
+    def expanded(tree: Node) -> list[Polynomial] | None:
         value, conditions = world.term(tree)
         if any(set(coefficients(c, x, field)) != {ONE} for c in conditions):
             return None
@@ -217,7 +217,7 @@ def _read(problem: Problem, node: Compare) -> Quadratic | None:
     return half, (w, i, j, k)
 
 
-def _divided(value: Any, x: Expanded, field: Ring) -> dict[Monomial, Any]:
+def _divided(value: Scalar, x: Expanded, field: Ring) -> Polynomial:
     """Return the coefficients of a polynomial, or of a fraction whose denominator is a number."""
     if not isinstance(value, PolynomialFraction):
         return dict(coefficients(value, x, field))
@@ -225,7 +225,7 @@ def _divided(value: Any, x: Expanded, field: Ring) -> dict[Monomial, Any]:
     return {m: below * c for m, c in coefficients(value.top, x, field).items()}
 
 
-def _minus(f: dict[Monomial, Any], g: dict[Monomial, Any], field: Ring) -> dict[Monomial, Any]:
+def _minus(f: Polynomial, g: Polynomial, field: Ring) -> Polynomial:
     out = dict(f)
     for m, c in g.items():
         out[m] = out.get(m, field.zero) - c

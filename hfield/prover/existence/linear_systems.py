@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from math import gcd
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield.errors import TooLargeError
 from hfield.prover.clock import Clock
@@ -92,7 +92,7 @@ class System:
         rows = [row for row in found if row is not None]
         return rows if len(rows) == len(found) else None
 
-    def cases(self, rows: list[Row], unequal: list[tuple[Any, ...]]) -> Iterator[Case]:
+    def cases(self, rows: list[Row], unequal: list[tuple[flint.fmpz_mpoly, ...]]) -> Iterator[Case]:
         """Run through the cases of equations, where some tuples must not be 0."""
         steps = self.elimination
         for way in steps.eliminate(steps.start(rows, self.known)):
@@ -117,7 +117,7 @@ class System:
         rows: Sequence[Row],
         values: list[flint.fmpz_mpoly],
         below: flint.fmpz_mpoly,
-        unequal: list[tuple[Any, ...]],
+        unequal: list[tuple[flint.fmpz_mpoly, ...]],
     ) -> Case | None:
         """Return a solution as a case, None where its condition is never true."""
         when = [] if self.of.is_unit(below) else [f"{self.text(below)} != 0"]
@@ -196,7 +196,9 @@ class System:
         return polynomial_text(f, self.variables)
 
 
-Row = tuple[Any, ...]  # the coefficients of what is sought, and last the constant
+Row: TypeAlias = (
+    "tuple[flint.fmpz_mpoly, ...]"  # the coefficients of what is sought, and last the constant
+)
 
 
 class FieldCoefficients:
@@ -259,8 +261,8 @@ class Way:
 
     rows: tuple[Row, ...]
     pivots: tuple[tuple[int, int], ...] = ()  # row, column
-    nonzero: tuple[Any, ...] = ()
-    zero: tuple[Any, ...] = ()
+    nonzero: tuple[flint.fmpz_mpoly, ...] = ()
+    zero: tuple[flint.fmpz_mpoly, ...] = ()
 
 
 class Elimination:
@@ -356,7 +358,9 @@ class Elimination:
                 return tuple(tuple(x.compose(*values) for x in row) for row in rows)
         return tuple(rows)
 
-    def solutions(self, way: Way, unequal: int) -> Iterator[tuple[list[Any], Any]]:
+    def solutions(
+        self, way: Way, unequal: int
+    ) -> Iterator[tuple[list[flint.fmpz_mpoly], flint.fmpz_mpoly]]:
         """Run through solutions as numerators with a common denominator.
 
         What no pivot determines is 0; where something must not be 0, other small numbers are tried.

@@ -53,9 +53,9 @@ class Conditions:
     unknowns: int
     field: Ring | None
     characteristic: int
-    zeros: tuple[Any, ...]
-    nonzero: tuple[Any, ...]
-    quaternions: tuple[tuple[tuple[Any, ...], Any], ...] = ()
+    zeros: tuple[flint.fmpz_mpoly, ...]
+    nonzero: tuple[flint.fmpz_mpoly, ...]
+    quaternions: tuple[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ class _Search:
         self.denominators: list[int] = []
         self.used: dict[Rule, None] = {}
         self.complete, self.unreliable = True, False
-        self.tried_as_sums: list[Any] = []  # polynomials of which sums of squares were looked for
+        self.tried_as_sums: list[flint.fmpz_mpoly] = []  # searched for sums of squares
         count = len(conditions.nonzero)
         self.names = (*conditions.variables, *(f"T{n + 1}" for n in range(count)))
 

@@ -250,7 +250,7 @@ class _Attempt:
         }
 
     def direct(
-        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[Any, ...]]
+        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[flint.fmpz_mpoly, ...]]
     ) -> list[Item] | None:
         """Put all polynomials of a goal into the ideal of the zeros."""
         conditions = self.conditions(zeros)
@@ -273,7 +273,7 @@ class _Attempt:
         return Item({**self.evidence(zeros), **own}, True, True, (found.denominator,))
 
     def by_contradiction(
-        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[Any, ...]]
+        self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[flint.fmpz_mpoly, ...]]
     ) -> list[Item] | None:
         """Show that there is no choice of one polynomial from each goal that need not be 0."""
         choices = [[g for g in goal if not self.is_zero(g)] for goal in goals]

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import gcd, isqrt
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hfield.core.product import Scalar
 from hfield.fields.base.ring import Ring
@@ -26,15 +26,15 @@ if TYPE_CHECKING:
 MAX_DEGREE = 12
 MAX_TERMS = 60
 
-Square = tuple[Any, Any]  # c and L of c·L²
+Square: TypeAlias = "tuple[flint.fmpz, flint.fmpz_mpoly]"  # c and L of c·L²
 
 
 @dataclass(frozen=True)
 class AnisotropicForm:
     """``value`` is a form in ``terms`` that is 0 only where they are; ``step`` says so in evidence."""
 
-    value: Any
-    terms: tuple[Any, ...]
+    value: flint.fmpz_mpoly
+    terms: tuple[flint.fmpz_mpoly, ...]
     step: Mapping[str, Any]
     rule: Rule | None = None  # a rule of its own, besides the one for roots
 
@@ -77,7 +77,7 @@ class Forms:
 
     def along(
         self,
-        parts: Mapping[tuple[int, ...], Any],
+        parts: Mapping[tuple[int, ...], flint.fmpz_mpoly],
         top: tuple[int, ...],
         bottom: tuple[int, ...],
         n: int,
@@ -141,7 +141,7 @@ class Forms:
                 return None
         return self.lightened(squares)
 
-    def square_in(self, f: flint.fmpz_mpoly) -> tuple[int, Any] | None:
+    def square_in(self, f: flint.fmpz_mpoly) -> tuple[int, flint.fmpz_mpoly] | None:
         """Return a variable whose square occurs, with its coefficient."""
         parts = self.coefficients(f)
         for n in self.free:
@@ -197,11 +197,11 @@ class Forms:
 
     # --- coefficients ----------------------------------------------------------------------------
 
-    def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], Any]:
+    def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], flint.fmpz_mpoly]:
         """Return the coefficients, polynomials in the constants, by the exponents of what is free."""
         return collected(f, self.free)
 
-    def value(self, f: flint.fmpz_mpoly) -> Any:
+    def value(self, f: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
         """Return a polynomial in the constants as an element of the field."""
         known = range(self.unknowns, len(self.names))
         return value_at(f, {n: constant(self.field, self.names[n]) for n in known}, self.field)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import flint
 from flint import Ordering, fmpz_mpoly_ctx
@@ -43,7 +43,7 @@ class Expanded:
     of the field. Where one of ``conditions`` is 0 there is no algebra.
     """
 
-    context: Any
+    context: flint.fmpz_mpoly_ctx
     variables: tuple[str, ...]
     unknowns: int
     clauses: tuple[PolynomialClause, ...]

@@ -10,7 +10,6 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import field as a_field
 from functools import lru_cache
-from typing import Any
 
 from hfield.core.product import Constants
 from hfield.errors import HFieldError, UndecidedError
@@ -42,7 +41,7 @@ class Rule:
     assumes: tuple[str, ...] = ()
     by: str = ""
     algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
-    data: Mapping[str, Any] | None = a_field(default=None, compare=False)
+    data: Mapping[str, object] | None = a_field(default=None, compare=False)
 
     @property
     def fact(self) -> str:
@@ -53,12 +52,12 @@ class Rule:
         return say(name, A=self.algebra, reason=self.reason)
 
     @property
-    def evidence(self) -> Mapping[str, Any]:
+    def evidence(self) -> Mapping[str, object]:
         """The rule as JSON data."""
         if self.data is not None:
             own = {"algebra": self.algebra} if self.algebra else {}
             return {"form": self.form, **own, **self.data}
-        out: dict[str, Any] = {"form": self.form, "by": self.by}
+        out: dict[str, object] = {"form": self.form, "by": self.by}
         if self.form == SQUARES:
             out["most"] = None if self.most == INFINITY else int(self.most)
             out["positive"] = self.positive

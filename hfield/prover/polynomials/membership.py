@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import isqrt, lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import Ordering, fmpz_mpoly_ctx
 
@@ -30,7 +30,7 @@ LARGE_PRIMES = (2**61 - 1, 2**127 - 1, 2**521 - 1)
 class Cofactors:
     """``denominator·target = Σ factors[n]·generators[n]``, modulo the characteristic if it is p."""
 
-    factors: tuple[Any, ...]
+    factors: tuple[flint.fmpz_mpoly, ...]
     denominator: int
 
 
@@ -48,7 +48,7 @@ class PolynomialIdeal:
         self.basis = Basis(variables, prime or characteristic or LARGE_PRIMES[0], clock)
         names = [f"v{n}" for n in range(variables)]
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
-        self.generators: list[Any] = []
+        self.generators: list[flint.fmpz_mpoly] = []
         self._listed: tuple[int, list[flint.fmpz_mpoly]] = (0, [])  # of a basis of that size
 
     def lift(self, polynomial: flint.fmpz_mpoly) -> flint.fmpz_mpoly:

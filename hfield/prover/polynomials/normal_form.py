@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import TooLargeError
 
@@ -23,7 +23,7 @@ MAX_CLAUSES = 256
 class Literal:
     """``polynomials`` are all 0 (``zero``), or they are not all 0; ``key`` is their text."""
 
-    polynomials: tuple[Any, ...] = field(compare=False)
+    polynomials: tuple[flint.fmpz_mpoly, ...] = field(compare=False)
     zero: bool
     key: tuple[str, ...]
 
@@ -63,8 +63,8 @@ def literal(polynomials: Iterable[flint.fmpz_mpoly], zero: bool) -> Formula:
 class PolynomialClause:
     """If all polynomials of ``zeros`` vanish, then all of one of the tuples ``goals`` do."""
 
-    zeros: tuple[Any, ...]
-    goals: tuple[tuple[Any, ...], ...]
+    zeros: tuple[flint.fmpz_mpoly, ...]
+    goals: tuple[tuple[flint.fmpz_mpoly, ...], ...]
 
 
 def clauses(formula: Formula) -> tuple[PolynomialClause, ...]:
@@ -107,7 +107,7 @@ def _tautology(literals: tuple[Literal, ...]) -> bool:
 
 
 def _clause(literals: tuple[Literal, ...]) -> PolynomialClause:
-    zeros: dict[str, Any] = {}
+    zeros: dict[str, flint.fmpz_mpoly] = {}
     for x in literals:
         if not x.zero:
             zeros.update(zip(x.key, x.polynomials, strict=True))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import norm
 from hfield.errors import TooLargeError
@@ -59,7 +59,7 @@ def nonzero_constants_of(
     free = [
         n for n in range(x.unknowns, len(x.variables)) if relation(field, x.variables[n]) is None
     ]
-    found: dict[str, Any] = {}
+    found: dict[str, flint.fmpz_mpoly] = {}
     for f in polynomials if free else ():
         for coefficient in collected(f, range(x.unknowns)).values():
             for g, _ in factored(coefficient)[1]:
@@ -75,7 +75,7 @@ def quaternions_of(
     """Return the quaternions that occur in the statement and their vectors, each with its norm."""
     world = Symbolic(problem)
     statement = problem.statement
-    found: dict[str, tuple[tuple[Any, ...], Any]] = {}
+    found: dict[str, tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]] = {}
     nodes = [n for h in (*statement.hypotheses, statement.conclusion) for n in walk(h)]
     for node in sorted(nodes, key=lambda n: not isinstance(n, Name)):
         if isinstance(node, Compare):  # the factors of a product are often compared with 0

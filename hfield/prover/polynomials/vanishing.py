@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, ParamSpec
+from typing import TYPE_CHECKING, ParamSpec
 
 from hfield.core.factorisation import factor
 from hfield.core.product import Scalar
@@ -85,7 +85,7 @@ def _collected(
     polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring, order: int | None = None
 ) -> Mapping[Monomial, Scalar]:
     """Return all coefficients, some of which may be 0."""
-    out: dict[Monomial, Any] = defaultdict(lambda: field.zero)
+    out: dict[Monomial, Scalar] = defaultdict(lambda: field.zero)
     for exponents, coefficient in polynomial.terms():
         monomial = exponents[: x.unknowns]
         if order is not None:
@@ -110,9 +110,9 @@ def collected(f: flint.fmpz_mpoly, variables: Iterable[int]) -> dict[Monomial, f
     return {m: f.context().from_dict(part) for m, part in parts.items()}
 
 
-def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> Any:
+def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> Scalar:
     """Return the value of a polynomial in the variables that have one, by their numbers."""
-    total = field.zero
+    total: Scalar = field.zero
     for exponents, c in f.terms():
         term = field(int(c))
         for n, value in values.items():
