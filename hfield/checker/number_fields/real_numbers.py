@@ -6,7 +6,6 @@ refined until they decide.
 
 from fractions import Fraction
 from math import ceil, floor
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Integers
@@ -56,12 +55,12 @@ class Real:
     def __init__(self, place: RealPlace, row: Vector) -> None:
         self.place, self.row = place, row
 
-    def _row(self, other: Any) -> Vector:
+    def _row(self, other: "Real | int") -> Vector:
         if isinstance(other, Real):
             return other.row
         return tuple(other * c for c in self.place.integers.one)
 
-    def __add__(self, other: Any) -> "Real":
+    def __add__(self, other: "Real | int") -> "Real":
         if isinstance(other, int) and not other:
             return self
         return Real(
@@ -73,13 +72,13 @@ class Real:
     def __neg__(self) -> "Real":
         return Real(self.place, tuple(-a for a in self.row))
 
-    def __sub__(self, other: Any) -> "Real":
+    def __sub__(self, other: "Real | int") -> "Real":
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> "Real":
+    def __rsub__(self, other: "Real | int") -> "Real":
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> Any:
+    def __mul__(self, other: "Real | int") -> "Real | int":
         if isinstance(other, int):
             return Real(self.place, tuple(other * a for a in self.row)) if other else 0
         return Real(self.place, self.place.integers.mul(self.row, other.row))
@@ -98,16 +97,16 @@ class Real:
     def __hash__(self) -> int:
         return hash(self.row)
 
-    def __lt__(self, other: Any) -> bool:
+    def __lt__(self, other: "Real | int") -> bool:
         return self.place.sign((self - other).row) < 0
 
-    def __gt__(self, other: Any) -> bool:
+    def __gt__(self, other: "Real | int") -> bool:
         return self.place.sign((self - other).row) > 0
 
-    def __le__(self, other: Any) -> bool:
+    def __le__(self, other: "Real | int") -> bool:
         return not self > other
 
-    def __ge__(self, other: Any) -> bool:
+    def __ge__(self, other: "Real | int") -> bool:
         return not self < other
 
     def bit_length(self) -> int:

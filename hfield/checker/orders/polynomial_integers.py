@@ -36,7 +36,7 @@ class Polynomial:
         return len(self.coefficients) - 1
 
     @property
-    def lead(self) -> Any:
+    def lead(self) -> Hashable:
         """The coefficient of the highest power."""
         return self.coefficients[-1]
 
@@ -45,7 +45,7 @@ class Polynomial:
         """The constant by which this has to be multiplied to be monic."""
         return Polynomial(self.base, [self.base.inverse(self.lead)])
 
-    def at(self, degree: int) -> Any:
+    def at(self, degree: int) -> Hashable:
         """Return the coefficient of a power."""
         return self.coefficients[degree] if degree <= self.degree else self.base.zero
 
@@ -94,7 +94,7 @@ class Polynomial:
         self._spend(len(x) * len(y))
         if not x or not y:
             return Polynomial(base, ())
-        out: list[Any] = [base.zero] * (len(x) + len(y) - 1)
+        out: list[Hashable] = [base.zero] * (len(x) + len(y) - 1)
         for m, c in enumerate(x):
             for n, d in enumerate(y, m):
                 out[n] = base.add(out[n], base.mul(c, d))
@@ -110,7 +110,7 @@ class Polynomial:
 
     def __divmod__(self, other: "Polynomial | int") -> tuple["Polynomial", "Polynomial"]:
         base, y = self.base, self._same(other).coefficients
-        x: list[Any] = list(self.coefficients)
+        x: list[Hashable] = list(self.coefficients)
         shift = len(x) - len(y)
         if shift < 0:
             return Polynomial(base, ()), self
