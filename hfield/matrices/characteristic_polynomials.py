@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.fields.base.ring import Ring
 
-Pair = tuple[Any, Any]  # x + y·X
+Pair = tuple[Scalar, Scalar]  # x + y·X
 
 
 def characteristic_polynomial(
-    ring: Ring, a: Any, t: Any, rows: Sequence[Sequence[Pair]]
+    ring: Ring, a: Scalar, t: Scalar, rows: Sequence[Sequence[Pair]]
 ) -> list[Pair]:
     """Return the coefficients of det(x − M), low degree first (S. Berkowitz, Inf. Proc. Letters 18 (1984)).
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 import flint
 
 from hfield.algebra.quaternion import Parent, Quaternion, product_plus
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError
 from hfield.fields.linear_algebra.echelon import echelon, null_space, solution
 
@@ -21,26 +21,26 @@ Rows = Sequence[Sequence[Quaternion]]
 Vector = tuple[Quaternion, ...]
 
 
-def over_ring(rows: Rows) -> list[list[Any]]:
+def over_ring(rows: Rows) -> list[list[Scalar]]:
     """Return the matrix of x ↦ M·x on coordinates, 4m × 4n over the base ring."""
-    out: list[list[Any]] = []
+    out: list[list[Scalar]] = []
     for row in rows:
         blocks = [q.matrix() for q in row]
         out += [[x for block in blocks for x in block[r]] for r in range(4)]
     return out
 
 
-def transposed(rows: Sequence[Sequence[Any]]) -> list[list[Any]]:
+def transposed(rows: Sequence[Sequence[Scalar]]) -> list[list[Scalar]]:
     """Return the columns."""
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def vector(A: Parent, values: Sequence[Any]) -> Vector:
+def vector(A: Parent, values: Sequence[Scalar]) -> Vector:
     """Return the elements with these coordinates."""
     return tuple(A(*values[n : n + 4]) for n in range(0, len(values), 4))
 
 
-def by_functional(A: Parent, values: Sequence[Any]) -> Vector:
+def by_functional(A: Parent, values: Sequence[Scalar]) -> Vector:
     """Return the row y for which λ(y·v) is the sum of values times coordinates of v.
 
     λ(q) is the coordinate at k. With ji = t·j − k, λ(y·e), λ(y·i), λ(y·j), λ(y·k) are y₃, −y₂, y₁ and
@@ -88,7 +88,7 @@ class Cleared:
         self.pivots.append(column)
 
     @property
-    def core(self) -> list[list[Any]]:
+    def core(self) -> list[list[Scalar]]:
         """What is left, over the base ring; its columns are the free ones."""
         return over_ring([[row[c] for c in self.free] for row in self.rest])
 
@@ -120,7 +120,7 @@ class Cleared:
             for q in self.rest
             for row in zip(*(x.coordinates for x in q[self.width :]), strict=True)
         ]
-        found: list[list[Any]] | None = [[]] * 0
+        found: list[list[Scalar]] | None = [[]] * 0
         if self.rest and self.free:
             found = solution(A.ring, self.core, right)
         elif self.rest and any(not A.ring.is_zero(x) for row in right for x in row):
@@ -157,10 +157,10 @@ def dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
     return total
 
 
-def generators(A: Parent, basis: list[list[Any]], right: bool) -> list[Vector]:
+def generators(A: Parent, basis: list[list[Scalar]], right: bool) -> list[Vector]:
     """Choose of a basis over F of a module, given by coordinates, those that generate it over A."""
     F, chosen = A.ring, list[Vector]()
-    span: list[list[Any]] = []
+    span: list[list[Scalar]] = []
     for v in basis:
         x = vector(A, v)
         reduced = echelon(F, [*span, v])[0]

@@ -8,12 +8,13 @@ degree 2. In characteristic 2 with t = 0 the trace is 0 and the norm additive: l
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure import is_central_simple
 from hfield.algebra.structure.elements.trace_and_norm import element_of
 from hfield.algebra.structure.invariants.radical import square_parts
+from hfield.core.product import Scalar
+from hfield.fields.base.ring import Ring
 from hfield.fields.base.roots import stripped
 from hfield.fields.linear_algebra.echelon import null_space, solution
 from hfield.fields.quadratic_forms import is_division
@@ -24,7 +25,7 @@ Spaces = tuple[
 ]  # each of these points plus the span of directions
 
 
-def of_trace_and_norm(A: Parent, t: Any, n: Any) -> Quaternion | None:
+def of_trace_and_norm(A: Parent, t: Scalar, n: Scalar) -> Quaternion | None:
     """Return a nonscalar element of trace t and norm n, or None. Raises :class:`UndecidedError`."""
     if is_central_simple(A.ring, A.constants):
         q = element_of(A.ring, A.constants, t, n)
@@ -34,7 +35,7 @@ def of_trace_and_norm(A: Parent, t: Any, n: Any) -> Quaternion | None:
     return next((q for q in found if any(not A.ring.is_zero(x) for x in q.coordinates[1:])), None)
 
 
-def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any) -> Spaces:
+def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Scalar, n: Scalar) -> Spaces:
     """Return all q of trace t and norm n with a + b·q = 0, where x² − t·x + n divides norm(a + b·x).
 
     If b is a unit, there is one q, for norm(a + b·x) is N(b)·(x² − tr(q)·x + N(q)).
@@ -43,7 +44,7 @@ def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any) -> Spaces
     if b.is_unit():
         double = F.characteristic != 2 and F.equal(t * t, n * 4) and is_division(F, c)
         return [A.scalar(t / F(2)) if double else -(b.inverse() * a)], []
-    rows: list[list[Any]] = [list(row) for row in b.matrix()]
+    rows: list[list[Scalar]] = [list(row) for row in b.matrix()]
     rows.append([F(2), c.t, F.zero, F.zero])
     start = solution(F, rows, [*([-x] for x in a.coordinates), [t]])
     if start is None:
@@ -66,7 +67,7 @@ def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any) -> Spaces
     return [q - v * g[0] for g in factors if len(g) == 2], radical
 
 
-def _additive(q: Quaternion, free: list[Quaternion], n: Any) -> Spaces:
+def _additive(q: Quaternion, free: list[Quaternion], n: Scalar) -> Spaces:
     """Return the q + Σ s·v with N(q) + Σ s²·N(v) = n."""
     A, F = q.algebra, q.algebra.ring
     *parts, right = ([*square_parts(F, x)] for x in (*(v.norm() for v in free), n - q.norm()))
@@ -77,7 +78,7 @@ def _additive(q: Quaternion, free: list[Quaternion], n: Any) -> Spaces:
     if start is None:
         return [], []
 
-    def combined(scalars: Sequence[Any]) -> Quaternion:
+    def combined(scalars: Sequence[Scalar]) -> Quaternion:
         total = A.scalar(0)
         for s, v in zip(scalars, free, strict=True):
             total = total + v * s
@@ -88,9 +89,9 @@ def _additive(q: Quaternion, free: list[Quaternion], n: Any) -> Spaces:
     ]
 
 
-def _elements(A: Parent, rows: Sequence[Sequence[Any]]) -> list[Quaternion]:
+def _elements(A: Parent, rows: Sequence[Sequence[Scalar]]) -> list[Quaternion]:
     return [A(*row) for row in rows]
 
 
-def _times(F: Any, rows: Sequence[Sequence[Any]], v: Quaternion) -> list[Any]:
+def _times(F: Ring, rows: Sequence[Sequence[Scalar]], v: Quaternion) -> list[Scalar]:
     return [sum((x * y for x, y in zip(row, v.coordinates, strict=True)), F.zero) for row in rows]

@@ -8,11 +8,12 @@ a·q = t·a + n·b is the one root of trace t and norm n.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from itertools import islice, product
-from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.errors import TooLargeError
+from hfield.fields.base.ring import Ring
 from hfield.fields.base.roots import (
     added,
     common_divisor,
@@ -24,11 +25,13 @@ from hfield.fields.base.roots import (
 
 MAX_COMBINATIONS = 20_000
 
-Row = list[list[Any]]
-Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
+Row = list[list[Scalar]]
+Matrix = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
 
 
-def other_root(F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]) -> Matrix | None:
+def other_root(
+    F: Ring, f: Sequence[Matrix], spheres: Sequence[tuple[Scalar, Scalar]]
+) -> Matrix | None:
     """Return a root whose trace and norm are none of ``spheres``, those of which all are roots, or None."""
     content, primitive = _row(F, f)
     if all(len(entry) < 2 for entry in primitive):
@@ -40,7 +43,7 @@ def other_root(F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]) 
 
 
 def other_roots(
-    F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]
+    F: Ring, f: Sequence[Matrix], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Iterator[Matrix]:
     """Run through all these roots over a finite field."""
     content, primitive = _row(F, f)
@@ -48,7 +51,7 @@ def other_roots(
     yield from _roots_at(F, w, spheres, product(F.elements(), repeat=2), every=True)
 
 
-def count_other_roots(F: Any, f: Sequence[Matrix]) -> int:
+def count_other_roots(F: Ring, f: Sequence[Matrix]) -> int:
     """Return how many these roots are over a finite field.
 
     Modulo x² − t·x + n the row is a + b·x. There is one root where a and b are independent, that is, where
@@ -58,6 +61,7 @@ def count_other_roots(F: Any, f: Sequence[Matrix]) -> int:
     Raises :class:`TooLargeError` over a field of more than ``MAX_COMBINATIONS`` elements.
     """
     q = F.order
+    assert q is not None, "the field is finite"
     content, (u, v) = _row(F, f)
     roots = [-g[0] for g in F.irreducible_factors(content) if len(g) == 2]
     divisors = _keys(F, quadratic_divisors(F, content))
@@ -76,26 +80,26 @@ def count_other_roots(F: Any, f: Sequence[Matrix]) -> int:
     return int(total + q * q - len(dependent))
 
 
-def _keys(F: Any, pairs: Iterator[tuple[Any, Any]]) -> set[tuple[Any, Any]]:
+def _keys(F: Ring, pairs: Iterator[tuple[Scalar, Scalar]]) -> set[tuple[Hashable, Hashable]]:
     return {(F.key(t), F.key(n)) for t, n in pairs}
 
 
-def _row(F: Any, f: Sequence[Matrix]) -> tuple[list[Any], Row]:
+def _row(F: Ring, f: Sequence[Matrix]) -> tuple[list[Scalar], Row]:
     """Return polynomials c and w₁, w₂ without common divisor: the roots of f are those of c·(w₁, w₂)."""
     rows = [[[c[r][s] for c in f] for s in (0, 1)] for r in (0, 1)]
     row = next(row for row in rows if any(not F.is_zero(c) for entry in row for c in entry))
     divisor = common_divisor(F, *row)
-    content: list[Any] = []
+    content: list[Scalar] = []
     for entry in (*rows[0], *rows[1]):
         content = common_divisor(F, content, entry)
     return content, [stripped(F, divided(F, entry, divisor)[0]) for entry in row]
 
 
 def _roots_at(
-    F: Any,
+    F: Ring,
     w: Row,
-    spheres: Sequence[tuple[Any, Any]],
-    places: Iterable[tuple[Any, Any]],
+    spheres: Sequence[tuple[Scalar, Scalar]],
+    places: Iterable[tuple[Scalar, Scalar]],
     every: bool,
 ) -> Iterator[Matrix]:
     """Run through roots of a row of traces and norms outside the spheres: one of each pair, or ``every``."""
@@ -118,7 +122,7 @@ def _roots_at(
 
 
 def _with_a_left_eigenvector(
-    F: Any, g: list[Any], v: list[Any], spheres: Sequence[tuple[Any, Any]]
+    F: Ring, g: list[Scalar], v: list[Scalar], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Matrix | None:
     """Return a q with v·g(q) = 0 outside the spheres: v is an eigenvector to a root of g; or None."""
     for factor in F.irreducible_factors(g):
@@ -130,13 +134,13 @@ def _with_a_left_eigenvector(
     return None
 
 
-def _with_eigenvector(F: Any, v: Sequence[Any], r: Any, s: Any, x: Any) -> Matrix:
+def _with_eigenvector(F: Ring, v: Sequence[Scalar], r: Scalar, s: Scalar, x: Scalar) -> Matrix:
     """Return a matrix with v·q = r·v and u·q = x·v + s·u, for some u."""
     other = (F.zero, F.one) if not F.is_zero(v[0]) else (F.one, F.zero)
     return _in_basis(F, v, other, ((r, F.zero), (x, s)))
 
 
-def _in_basis(F: Any, u: Sequence[Any], v: Sequence[Any], m: Matrix) -> Matrix:
+def _in_basis(F: Ring, u: Sequence[Scalar], v: Sequence[Scalar], m: Matrix) -> Matrix:
     """Return the q with u·q = m₀₀·u + m₀₁·v and v·q = m₁₀·u + m₁₁·v."""
     back = F.inverse(u[0] * v[1] - u[1] * v[0])
     inverse = ((v[1] * back, -u[1] * back), (-v[0] * back, u[0] * back))
@@ -148,12 +152,13 @@ def _in_basis(F: Any, u: Sequence[Any], v: Sequence[Any], m: Matrix) -> Matrix:
     return rows[0], rows[1]
 
 
-def _traces_and_norms(F: Any, size: int) -> Iterator[tuple[Any, Any]]:
+def _traces_and_norms(F: Ring, size: int) -> Iterator[tuple[Scalar, Scalar]]:
     """Run through enough pairs: det(a, b) is a polynomial in t and n, not 0, of degrees below ``size``."""
-    return product(list(_elements(F, size)), repeat=2)
+    elements = list(_elements(F, size))
+    return product(elements, elements)
 
 
-def _elements(F: Any, count: int) -> Iterator[Any]:
+def _elements(F: Ring, count: int) -> Iterator[Scalar]:
     """Run through so many elements, or all."""
     if not F.characteristic or F.characteristic >= count:
         yield from map(F, range(count))
@@ -163,6 +168,6 @@ def _elements(F: Any, count: int) -> Iterator[Any]:
         yield from islice(F.elements(), count)
 
 
-def _reduced(F: Any, f: list[Any], t: Any, n: Any) -> tuple[Any, Any]:
+def _reduced(F: Ring, f: list[Scalar], t: Scalar, n: Scalar) -> tuple[Scalar, Scalar]:
     rest = [*divided(F, f, [n, -t, F.one])[1], F.zero, F.zero]
     return rest[0], rest[1]
