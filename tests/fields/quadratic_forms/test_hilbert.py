@@ -74,7 +74,7 @@ def test_from_ramification_with_many_primes():
         ([2, 3], True, "even number"),
         ([2, 4], False, "not a place"),
         ([2, 2], False, "twice"),
-        (["inf"], False, "denied or named twice"),
+        (["inf"], False, "denied, or named twice"),
     ],
 )
 def test_from_ramification_says_what_is_wrong(primes, infinite, message):
