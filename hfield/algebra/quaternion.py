@@ -79,6 +79,7 @@ class Parent(Protocol):
     ) -> tuple[Parent, Callable[[Scalar], Any]]: ...
     def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
+    def is_central_simple(self) -> bool: ...  # noqa: D102
     def polynomials(self, name: str = ...) -> Any: ...  # noqa: D102
     def to_matrix(self, q: Quaternion) -> Any: ...  # noqa: D102
 

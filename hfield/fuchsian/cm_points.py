@@ -391,7 +391,8 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | N
     for P, e in base.factorisation(level(value)) if eichler else ():
         if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
             return f"{P} is inert in the quadratic field, and divides the level", P
-        if base.is_rational and not is_square_modulo(int(d), P, e + 2 * (P == 2)):
+        p = base.absolute_norm(base.prime_ideal(P))
+        if base.is_rational and not is_square_modulo(int(d), p, e + 2 * (p == 2)):
             return (
                 f"{d} is not a square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level",
                 P,

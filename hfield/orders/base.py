@@ -15,7 +15,7 @@ from functools import partial
 from heapq import heappop, heappush
 from itertools import count as counter
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeGuard
+from typing import TYPE_CHECKING, Generic, NamedTuple, Protocol, TypeAlias, TypeGuard, TypeVar
 
 from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
@@ -26,7 +26,7 @@ from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.fields.base.finite_places import FinitePlace
 from hfield.fields.base.residue_polynomials import coefficients, residues
 from hfield.fields.number_fields import ideals
-from hfield.fields.number_fields.classes.class_groups import class_group
+from hfield.fields.number_fields.classes.class_groups import ClassGroup, class_group
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
@@ -42,35 +42,52 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
-from hfield.orders.base_values import BaseIdeal, TrivialClassGroup
+from hfield.orders.base_values import (
+    BaseIdeal,
+    BaseNumber,
+    IdealClassGroup,
+    IdealT,
+    Integer,
+    NarrowRepresentatives,
+    NumberT,
+    Prime,
+    Quadruple,
+    Residue,
+    ShownIdeal,
+    ThetaSeries,
+    TrivialClassGroup,
+)
 from hfield.orders.domains import INTEGERS, EuclideanDomain
 from hfield.orders.linear_algebra_mod_p import kronecker
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Parent
     from hfield.fields.base.flint_types import Polynomial, Rational
+    from hfield.fields.base.ring import Ring
+    from hfield.fields.function_fields.quotients import Quotient
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
-NarrowClasses = Any
-Quadruple = tuple[Any, Any, Any, Any]
+PrimeT = TypeVar("PrimeT", bound=Prime)
+ResidueT = TypeVar("ResidueT", bound=Residue)
 
 
-class QuaternionBasis(NamedTuple):
+class QuaternionBasis(NamedTuple, Generic[NumberT]):
     """Constants of ``I² = a + t·I, J² = b`` in the field of the base, and coordinates over 1, I, J, IJ.
 
     ``into`` takes the coordinates of an element over 1, i, j, k to these, ``back`` the other way.
     """
 
-    constants: Constants
-    into: Callable[[Sequence[Any]], Quadruple]
-    back: Callable[[Sequence[Any]], Quadruple]
+    constants: Constants[NumberT]
+    into: Callable[[Sequence[NumberT]], Quadruple[NumberT]]
+    back: Callable[[Sequence[NumberT]], Quadruple[NumberT]]
 
 
 class Counts(NamedTuple):
     """Numbers of elements by their norms, which are given by coordinates over a denominator."""
 
-    numbers: dict[tuple[Any, ...], int]
-    den: int
+    numbers: dict[tuple[Integer, ...], int]
+    den: Integer
 
 
 class ResiduePlace(FinitePlace, Protocol):
@@ -80,16 +97,26 @@ class ResiduePlace(FinitePlace, Protocol):
     index: int
 
 
-class Base(Protocol):
+class BaseRing(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     """A ring of integers, free of rank ``degree`` over its domain with the basis ``integral_basis``.
 
-    The first element of the basis is 1.
+    Its numbers, ideals, primes and residues are of the types in the brackets.
     """
 
-    ring: Any
-    field: Any
+    @property
+    def ring(self) -> Ring:
+        """The field of a user's elements."""
+
+    @property
+    def field(self) -> Ring[NumberT]:
+        """The field of the elements in computations."""
+
     degree: int
-    integral_basis: tuple[Any, ...]
+
+    @property
+    def integral_basis(self) -> tuple[NumberT, ...]:
+        """A basis of the integers over the domain, 1 first."""
+
     is_rational: bool
     """Whether the base is ℤ."""
     is_polynomial: bool
@@ -101,16 +128,16 @@ class Base(Protocol):
     def domain(self) -> EuclideanDomain:
         """The domain over which lattices are matrices: ℤ, or polynomials."""
 
-    def coordinate_rows(self, elements: Sequence[Any]) -> fmpq_mat:
+    def coordinate_rows(self, elements: Sequence[NumberT]) -> fmpq_mat:
         """Return the coordinates of elements in the integral basis, row by row."""
 
-    def element_of(self, row: Sequence[fmpq]) -> Any:
+    def element_of(self, row: Sequence[fmpq]) -> NumberT:
         """Return the element with these coordinates."""
 
-    def quaternion_basis(self, algebra: Any) -> QuaternionBasis:
+    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[NumberT]:
         """Return the basis in which lattices of an algebra are kept."""
 
-    def is_definite(self, constants: Constants) -> bool:
+    def is_definite(self, constants: Constants[NumberT]) -> bool:
         """Tell whether an algebra ramifies at all infinite places."""
 
     is_totally_real: bool
@@ -118,19 +145,19 @@ class Base(Protocol):
     """The numbers of the real places."""
 
     @property
-    def one(self) -> Any:
+    def one(self) -> IdealT:
         """The ideal of all integers."""
 
-    def prime(self, x: object) -> Any:
+    def prime(self, x: object) -> PrimeT:
         """Return what a user gives as a prime. Raises :class:`LatticeError` for what is none."""
 
-    def primes_above(self, p: int) -> list[tuple[Any, Any]]:
+    def primes_above(self, p: int) -> list[tuple[Prime, PrimeT]]:
         """Return the primes above a prime number: as the ring has them, and as :meth:`prime` returns them."""
 
-    def primes_by_norm(self) -> Iterator[Any]:
+    def primes_by_norm(self) -> Iterator[PrimeT]:
         """Yield all primes, ascending by their norms."""
 
-    def prime_ideal(self, prime: Any) -> Any:
+    def prime_ideal(self, prime: PrimeT) -> IdealT:
         """Return a prime as an ideal."""
 
     @property
@@ -145,164 +172,168 @@ class Base(Protocol):
     def number_of_units(self) -> int | None:
         """How many units there are, None for infinitely many."""
 
-    def norm_bound(self, lattice: LatticeValue, n: object) -> Any:
+    def norm_bound(self, lattice: LatticeValue, n: object) -> int:
         """Return the largest value that norms may have for a bound that a user gives, over the content."""
 
-    def absolute_norm(self, ideal: Any) -> int:
+    def absolute_norm(self, ideal: IdealT) -> int:
         """Return how many residues there are modulo an integral ideal."""
 
-    def valuation(self, ideal: Any, prime: Any) -> int:
+    def valuation(self, ideal: IdealT, prime: PrimeT) -> int:
         """Return the exponent of a prime in an ideal."""
 
-    def factorisation(self, ideal: Any) -> list[tuple[Any, int]]:
+    def factorisation(self, ideal: IdealT) -> list[tuple[PrimeT, int]]:
         """Return the primes of an ideal with their exponents, ascending. Raises :class:`UnfactoredError`."""
 
-    def residues(self, prime: Any) -> list[Any]:
+    def residues(self, prime: PrimeT) -> list[NumberT]:
         """Return integers of the field, one of each class modulo a prime, 0 first."""
 
-    def place(self, prime: Any) -> ResiduePlace:
+    def place(self, prime: PrimeT) -> ResiduePlace:
         """Return the residue field of a prime, with the arithmetic in it."""
 
-    def digits(self, prime: Any, residue: Any) -> list[int]:
+    def digits(self, prime: PrimeT, residue: ResidueT) -> list[int]:
         """Return the coordinates of a residue over the prime field."""
 
-    def residue(self, prime: Any, digits: Sequence[int]) -> Any:
+    def residue(self, prime: PrimeT, digits: Sequence[int]) -> ResidueT:
         """Return the residue with these coordinates."""
 
-    def lift(self, prime: Any, residue: Any) -> Any:
+    def lift(self, prime: PrimeT, residue: ResidueT) -> NumberT:
         """Return an integer of the field with a given residue modulo a prime."""
 
-    def root_modulo_4(self, d: Any) -> Any:
+    def root_modulo_4(self, d: NumberT) -> NumberT | None:
         """Return t with t² ≡ d modulo 4, over ℤ d itself; None where there is none."""
 
-    def integer_near(self, x: Any, modulus: int) -> Any:
+    def integer_near(self, x: NumberT, modulus: int) -> NumberT:
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
-    def integral_ideal(self, x: object, what: str = "norm") -> Any:
+    def integral_ideal(self, x: object, what: str = "norm") -> IdealT:
         """Return what a user gives as a norm, or a level, its text too.
 
         Raises :class:`LatticeError` for what is no integral ideal.
         """
 
-    def number_data(self, x: Any) -> int | str:
+    def number_data(self, x: Integer) -> int | str:
         """Return a number of the domain for JSON."""
 
-    def ideal_text(self, ideal: Any) -> int | str:
+    def ideal_text(self, ideal: IdealT) -> int | str:
         """Return an integral ideal for JSON."""
 
-    def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> IdealClassGroup[IdealT]:
         """Return the group of ideals modulo generators positive at the real places that ramify."""
 
-    def generators(self, ideal: Any, places: tuple[int, ...]) -> list[Any]:
+    def generators(self, ideal: IdealT, places: tuple[int, ...]) -> list[NumberT]:
         """Return the generators of an ideal, in the field, that are positive at some real places.
 
         One for each coset of the squares of units; none where there are none.
         """
 
     @property
-    def positive_units(self) -> tuple[Any, ...]:
+    def positive_units(self) -> tuple[NumberT, ...]:
         """The totally positive units, one for each coset of the squares of units, 1 first.
 
         The numbers of units are words of bits: each bit is a generator.
         """
 
-    def is_integral(self, ideal: Any) -> bool:
+    def is_integral(self, ideal: IdealT) -> bool:
         """Tell whether all elements of an ideal are integers."""
 
-    def are_coprime(self, first: Any, second: Any) -> bool:
+    def are_coprime(self, first: IdealT, second: IdealT) -> bool:
         """Tell whether the sum of two integral ideals is 1."""
 
     @property
-    def narrow_classes(self) -> NarrowClasses:
+    def narrow_classes(self) -> NarrowRepresentatives[NumberT, IdealT]:
         """The ideals modulo totally positive elements."""
 
     @property
-    def class_generators(self) -> tuple[Any, ...]:
+    def class_generators(self) -> tuple[IdealT, ...]:
         """Ideals that generate the class group, none where all ideals are principal."""
 
-    def square_classes(self, prime: Any) -> tuple[int, Callable[[Any], int]]:
+    def square_classes(self, prime: PrimeT) -> tuple[int, Callable[[NumberT], int]]:
         """Return how many binary digits number the units modulo squares at a prime, and a function.
 
         It returns the class of the unit part of a number, for a fixed uniformiser.
         """
 
-    def principal_multiple(self, ideal: Any) -> Any:
+    def principal_multiple(self, ideal: IdealT) -> IdealT:
         """Return an ideal where it is principal, else its least multiple that an integer generates."""
 
-    def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
+    def quadratic_symbol(self, trace: NumberT, norm: NumberT, prime: PrimeT) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
 
-    def ramified_primes(self, constants: Constants) -> tuple[Any, ...]:
+    def ramified_primes(self, constants: Constants[NumberT]) -> tuple[PrimeT, ...]:
         """Return the primes at which an algebra ramifies. Raises :class:`UnfactoredError`."""
 
-    def principal(self, x: Any) -> Any:
+    def principal(self, x: NumberT) -> IdealT:
         """Return the ideal of one element, not 0."""
 
-    def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> Any:
+    def ideal_spanned(self, entries: Sequence[Integer], den: Integer) -> IdealT:
         """Return the ideal that rows of coordinates, one after the other over a denominator, span over ℤ."""
 
-    def ideal_rows(self, ideal: Any) -> tuple[int, list[list[Any]]]:
+    def ideal_rows(self, ideal: IdealT) -> tuple[Integer, list[list[Integer]]]:
         """Return the coordinates of a basis of an ideal over ℤ, integers over a denominator."""
 
-    def inverse(self, ideal: Any) -> Any:
+    def inverse(self, ideal: IdealT) -> IdealT:
         """Return the inverse of an ideal."""
 
-    def ideal(self, x: object) -> Any:
+    def ideal(self, x: object) -> IdealT:
         """Return what a user gives as an ideal, a number or an element, as an ideal."""
 
-    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
+    def is_ideal(self, x: object) -> TypeGuard[IdealT]:
         """Tell whether lattices are multiplied by x as by an ideal of the base."""
 
-    def is_totally_positive(self, x: Any) -> bool:
+    def is_totally_positive(self, x: NumberT) -> bool:
         """Tell whether an element is positive at all infinite places."""
 
-    def sign(self, x: Any, place: int) -> int:
+    def sign(self, x: NumberT, place: int) -> int:
         """Return the sign of an element at a real place, −1, 0 or 1."""
 
-    def real(self, x: Any, place: int) -> float:
+    def real(self, x: NumberT, place: int) -> float:
         """Return about the value of an element at a real place."""
 
-    def ball(self, x: Any, place: int) -> arb:
+    def ball(self, x: NumberT, place: int) -> arb:
         """Return a ball around the value, with flint's present precision."""
 
-    def square_root(self, x: Any) -> Any:
+    def square_root(self, x: NumberT) -> BaseNumber | None:
         """Return a square root of an element, as one of ``ring``, or None."""
 
-    def short_elements(self, ideal: Any, count: int) -> Iterable[Any]:
+    def short_elements(self, ideal: IdealT, count: int) -> Iterable[NumberT]:
         """Return up to so many elements of an ideal that are short; over ℤ its generator."""
 
-    def ideal_classes(self, most: int) -> list[Any]:
+    def ideal_classes(self, most: int) -> list[IdealT]:
         """Return one ideal of each class, 1 first. Raises :class:`TooLargeError` for more than ``most``."""
 
-    def as_rational(self, x: Any) -> fmpq | None:
+    def as_rational(self, x: NumberT) -> fmpq | None:
         """Return an element of the field as a rational number, None for one that is none."""
 
-    def trace(self, x: Any) -> fmpq:
+    def trace(self, x: NumberT) -> fmpq:
         """Return the trace of an element down to ℚ."""
 
-    def inside(self, x: Any) -> Any:
+    def inside(self, x: object) -> NumberT:
         """Convert an element of ``ring`` to one of ``field``."""
 
-    def outside(self, x: Any) -> Any:
+    def outside(self, x: NumberT) -> BaseNumber:
         """Convert an element of ``field`` to one of ``ring``."""
 
-    def shown_number(self, x: Any) -> Any:
+    def shown_number(self, x: Integer) -> int | Quotient:
         """Return a number of the domain as a user sees it."""
 
-    def shown_norm(self, lattice: LatticeValue) -> Any:
+    def shown_norm(self, lattice: LatticeValue) -> ShownIdeal:
         """Return the norm of a lattice as a user sees it."""
 
-    def shown_index(self, ideal: Any) -> Any:
+    def shown_index(self, ideal: IdealT) -> ShownIdeal:
         """Return an ideal as an index that a user sees."""
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:
         """Return the number of whose multiples a theta series counts: the norm over ℤ, elsewhere 1."""
 
-    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> Any:
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> ThetaSeries:
         """Return numbers of elements of norms as a user sees them.
 
         It is a list over ℤ, for the multiples of a step up to a bound, and elsewhere a dict.
         """
+
+
+Base: TypeAlias = BaseRing[BaseNumber, BaseIdeal, Prime, Residue]
+"""A base of any kind. Its numbers, ideals, primes and residues mix with those of the same base alone."""
 
 
 class RationalIntegers:
@@ -322,7 +353,7 @@ class RationalIntegers:
     def prime(self, x: object) -> int:
         return validation.prime(x)
 
-    def primes_above(self, p: int) -> list[tuple[int, int]]:
+    def primes_above(self, p: int) -> list[tuple[Prime, int]]:
         return [(p, p)]
 
     def primes_by_norm(self) -> Iterator[int]:
@@ -399,7 +430,7 @@ class RationalIntegers:
     def narrow_classes(self) -> OneNarrowClass:
         return OneNarrowClass()
 
-    class_generators = ()
+    class_generators: tuple[Fraction | int, ...] = ()
 
     def square_classes(self, prime: int) -> tuple[int, Callable[[fmpq], int]]:
         return (2 if prime == 2 else 1), partial(_square_class, prime)
@@ -420,7 +451,7 @@ class RationalIntegers:
     def element_of(self, row: Sequence[fmpq]) -> fmpq:
         return row[0]
 
-    def quaternion_basis(self, algebra: Any) -> QuaternionBasis:
+    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[fmpq]:
         if not discriminant(algebra.ring, algebra.constants):
             raise degenerate(algebra)
         return QuaternionBasis(
@@ -433,7 +464,7 @@ class RationalIntegers:
     def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> Fraction:
         return Fraction(int(fmpz_poly(list(entries)).content()), den)
 
-    def ideal_rows(self, ideal: Fraction | int) -> tuple[int, list[list[int]]]:
+    def ideal_rows(self, ideal: Fraction | int) -> tuple[Integer, list[list[Integer]]]:
         return ideal.denominator, [[ideal.numerator]]
 
     def inverse(self, ideal: Fraction | int) -> Fraction:
@@ -445,13 +476,13 @@ class RationalIntegers:
             raise LatticeError("a lattice cannot be divided by 0")
         return value
 
-    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
+    def is_ideal(self, x: object) -> TypeGuard[Fraction]:
         return False
 
     def is_definite(self, constants: Constants) -> bool:
         return is_totally_definite(self, constants)
 
-    def number_data(self, x: Any) -> int:
+    def number_data(self, x: Integer) -> int:
         return int(x)
 
     def shown_number(self, x: int) -> int:
@@ -475,7 +506,7 @@ class RationalIntegers:
     def short_elements(self, ideal: Fraction | int, count: int) -> list[fmpq]:
         return [self.inside(ideal)]
 
-    def ideal_classes(self, most: int) -> list[int]:
+    def ideal_classes(self, most: int) -> list[Fraction | int]:
         return [self.one]
 
     def as_rational(self, x: Rational) -> fmpq | None:
@@ -492,14 +523,14 @@ class RationalIntegers:
         value = fraction(x)
         return fmpq(value.numerator, value.denominator)
 
-    def outside(self, x: Any) -> Any:
+    def outside(self, x: fmpq) -> RationalNumber:
         return RationalNumber(x)
 
     def shown_norm(self, lattice: LatticeValue) -> RationalNumber:
         # as norm, which is a Fraction, and slower to make
         return RationalNumber(lattice.content, lattice.ambient.scale * lattice.den**2)
 
-    def shown_index(self, ideal: Fraction) -> int | Fraction:
+    def shown_index(self, ideal: Fraction | int) -> int | Fraction:
         return ideal.numerator if ideal.denominator == 1 else ideal
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:
@@ -530,20 +561,32 @@ class OneNarrowClass:
         return 0, fmpq(ideal.numerator, ideal.denominator)
 
 
+def number_field_integers(base: Base) -> NumberFieldIntegers:
+    """Return a base as the integers of a number field, where the theory is that of number fields.
+
+    Raises :class:`TypeError` for another base.
+    """
+    if isinstance(base, NumberFieldIntegers):
+        return base
+    raise TypeError(f"expected the integers of a number field, not {base.symbol}")
+
+
 def _norm_bound(lattice: LatticeValue, n: object) -> int:
     """Return the largest multiple of the content that traces of norms may have: at most n."""
     scale = lattice.ambient.scale * lattice.den**2
     return int(fraction(n) * scale // int(lattice.content))
 
 
-def is_totally_definite(base: Base, constants: Constants) -> bool:
+def is_totally_definite(
+    base: BaseRing[NumberT, IdealT, PrimeT, ResidueT], constants: Constants[NumberT]
+) -> bool:
     """Tell whether an algebra over a number field is totally definite."""
     a, t, b = constants
     positive = base.is_totally_positive
     return base.is_totally_real and positive(-a - t * t / 4) and positive(-b)
 
 
-def degenerate(algebra: Any) -> RingError:
+def degenerate(algebra: Parent) -> RingError:
     """Return the error for a degenerate algebra."""
     return RingError(
         f"{shorten(algebra)} is a degenerate algebra, (t² + 4a)·b = 0: it is not simple, and has no orders "
@@ -551,7 +594,7 @@ def degenerate(algebra: Any) -> RingError:
     )
 
 
-def _as_it_is(coordinates: Sequence[Any]) -> Quadruple:
+def _as_it_is(coordinates: Sequence[NumberT]) -> Quadruple[NumberT]:
     w, x, y, z = coordinates
     return w, x, y, z
 
@@ -578,7 +621,7 @@ class NumberFieldIntegers:
     def outside(self, x: FieldElement) -> FieldElement:
         return x
 
-    def primes_above(self, p: int) -> list[tuple[PrimeIdeal, PrimeIdeal]]:
+    def primes_above(self, p: int) -> list[tuple[Prime, PrimeIdeal]]:
         return [(P, P) for P in self.field.primes_above(p)]
 
     def primes_by_norm(self) -> Iterator[PrimeIdeal]:
@@ -657,7 +700,7 @@ class NumberFieldIntegers:
     def ideal_text(self, ideal: ideals.FractionalIdeal) -> str:
         return str(ideal)
 
-    def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> ClassGroup:
         return class_group(self.ring, ambient.ramified_real_places)
 
     def generators(
@@ -726,7 +769,7 @@ class NumberFieldIntegers:
     def element_of(self, row: Sequence[fmpq]) -> FieldElement:
         return element_of(self.field, list(row))
 
-    def quaternion_basis(self, algebra: Any) -> QuaternionBasis:
+    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[FieldElement]:
         if not algebra.is_central_simple():
             raise degenerate(algebra)
         form = normal_form(self.field, Constants(*map(self.inside, algebra.constants)))
@@ -735,12 +778,12 @@ class NumberFieldIntegers:
         a, b = form.constants
         p, q, pq = fmpq(1, r), fmpq(1, s), fmpq(1, r * s)
 
-        def into(coordinates: Sequence[Any]) -> Quadruple:
+        def into(coordinates: Sequence[FieldElement]) -> Quadruple[FieldElement]:
             c0, c1, c2, c3 = coordinates
             w, x, y, z = form.forth((c0, c1, c2, c3))
             return w, x * p, y * q, z * pq
 
-        def back(coordinates: Sequence[Any]) -> Quadruple:
+        def back(coordinates: Sequence[FieldElement]) -> Quadruple[FieldElement]:
             w, x, y, z = coordinates
             return form.back((w, x * r, y * s, z * (r * s)))
 
@@ -758,7 +801,7 @@ class NumberFieldIntegers:
         rows = fmpz_mat(len(entries) // n, n, list(entries))
         return self.integers.ideal(fmpq_mat(rows) * fmpq(1, den))
 
-    def ideal_rows(self, ideal: ideals.FractionalIdeal) -> tuple[int, list[list[fmpz]]]:
+    def ideal_rows(self, ideal: ideals.FractionalIdeal) -> tuple[Integer, list[list[Integer]]]:
         return ideal.denominator, ideal.matrix.tolist()
 
     def inverse(self, ideal: ideals.FractionalIdeal) -> ideals.FractionalIdeal:
@@ -773,7 +816,7 @@ class NumberFieldIntegers:
     def is_definite(self, constants: Constants) -> bool:
         return is_totally_definite(self, constants)
 
-    def number_data(self, x: Any) -> int:
+    def number_data(self, x: Integer) -> int:
         return int(x)
 
     def shown_number(self, x: int) -> int:
@@ -828,7 +871,7 @@ class NumberFieldIntegers:
     def theta_step(self, lattice: LatticeValue) -> Fraction:
         return Fraction(1)
 
-    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[FieldElement, int]:
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[BaseNumber, int]:
         norms = {
             self.element_of([fmpq(x, counts.den) for x in values]): count
             for values, count in counts.numbers.items()
@@ -837,4 +880,4 @@ class NumberFieldIntegers:
         return {self.outside(norm): count for norm, count in ordered}
 
 
-RATIONAL_INTEGERS = RationalIntegers()
+RATIONAL_INTEGERS: BaseRing[fmpq, Fraction | int, int, int] = RationalIntegers()

@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
-from typing import Protocol, Self, TypeAlias
+from collections.abc import Hashable, Sequence
+from typing import TYPE_CHECKING, Protocol, Self, TypeAlias, TypeVar
+
+from hfield.core import product
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from flint import fmpz, fq_default_poly
+
+    from hfield.fields.function_fields.ideals import PolynomialIdeal
+    from hfield.fields.number_fields.ideals import FractionalIdeal
+
+Integer: TypeAlias = "int | fmpz | fq_default_poly"
+"""A number of the domain over which lattices are matrices: an integer, or a polynomial over GF(q)."""
 
 Prime: TypeAlias = Hashable
 """A prime of a base: over ℤ a number, elsewhere a prime ideal. Only the base looks into it."""
 
+ShownIdeal: TypeAlias = "int | Fraction | FractionalIdeal | PolynomialIdeal"
+"""An ideal as a user sees it: over ℤ the positive number that generates it."""
 
-class Scalar(Protocol):
+
+class BaseNumber(product.Scalar, Protocol):
     """A number of the field of a base: a rational number of flint, or an element of a number field."""
 
     def __add__(self, other: Self | int, /) -> Self: ...
@@ -17,8 +33,10 @@ class Scalar(Protocol):
     def __mul__(self, other: Self | int, /) -> Self: ...
     def __truediv__(self, other: Self | int, /) -> Self: ...
     def __rtruediv__(self, other: int, /) -> Self: ...
-    def __neg__(self) -> Self: ...
+    def __pow__(self, exponent: int, /) -> Self: ...
     def __bool__(self) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
 
 
 class BaseIdeal(Protocol):
@@ -26,11 +44,54 @@ class BaseIdeal(Protocol):
 
     def __mul__(self, other: Self, /) -> Self: ...
     def __truediv__(self, other: Self, /) -> Self: ...
+    def __pow__(self, exponent: int, /) -> Self: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
 
-ThetaSeries: TypeAlias = list[int] | dict[Scalar, int]
+NumberT = TypeVar("NumberT", bound=BaseNumber)
+NumberT_co = TypeVar("NumberT_co", bound=BaseNumber, covariant=True)
+IdealT = TypeVar("IdealT")
+IdealT_contra = TypeVar("IdealT_contra", contravariant=True)
+Quadruple: TypeAlias = tuple[NumberT, NumberT, NumberT, NumberT]
+"""The coordinates of a quaternion."""
+
+
+class IdealClassGroup(Protocol[IdealT_contra]):
+    """A group of classes of ideals, a product of cyclic groups."""
+
+    @property
+    def order(self) -> int:
+        """The number of classes."""
+
+    @property
+    def invariants(self) -> Sequence[int]:
+        """The orders of the cyclic groups."""
+
+    def class_of(self, ideal: IdealT_contra, /) -> tuple[int, ...]:
+        """Return the class of an ideal, its coordinates in the cyclic groups."""
+
+
+class NarrowRepresentatives(Protocol[NumberT_co, IdealT]):
+    """Ideals as products ν·a with ν totally positive, and a in a list of one ideal of each narrow class."""
+
+    @property
+    def order(self) -> int:
+        """The number of classes."""
+
+    @property
+    def group(self) -> IdealClassGroup[IdealT]:
+        """The group of the classes."""
+
+    @property
+    def ideals(self) -> Sequence[IdealT]:
+        """One ideal of each class met so far."""
+
+    def split(self, ideal: IdealT, /) -> tuple[int, NumberT_co]:
+        """Return the number of a in the list, and ν."""
+
+
+ThetaSeries: TypeAlias = list[int] | dict[BaseNumber, int]
 """How many elements have which norm: over ℤ by multiples of a step, elsewhere by the norms."""
 
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
@@ -27,7 +28,16 @@ from hfield.orders.kernels import Kernels
 from hfield.orders.polynomial_base import PolynomialBase
 
 if TYPE_CHECKING:
+    from flint import fq_default_poly
+
     from hfield.algebra.quaternion import Parent, Quaternion
+    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.function_fields.ideals import PolynomialIdeal
+    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ideals import FractionalIdeal
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.orders.base import BaseRing
 
 UNITS: list[Any] = [tuple(int(m == n) for n in range(4)) for m in range(4)]
 
@@ -392,6 +402,17 @@ def basis_of(algebra: Parent) -> AlgebraBasis:
 @lru_cache(maxsize=64)
 def base_of(ring: Ring) -> Base:
     """Return the integers of a field. Raises :class:`RingError` for a field over which no orders are."""
+    # which kind of base it is, and so of which types its numbers, ideals and primes are, is hidden here
+    return cast("Base", _integers_of(ring))
+
+
+def _integers_of(
+    ring: Ring,
+) -> (
+    BaseRing[fmpq, Fraction | int, int, int]
+    | BaseRing[FieldElement, FractionalIdeal, PrimeIdeal, Polynomial]
+    | BaseRing[Quotient, PolynomialIdeal, PolynomialIdeal, fq_default_poly]
+):
     if ring == QQ:
         return RATIONAL_INTEGERS
     if isinstance(ring, NumberField):

@@ -11,7 +11,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 import flint
 
@@ -41,7 +41,8 @@ from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import enumeration
-from hfield.orders.base_values import Scalar
+from hfield.orders.base import number_field_integers
+from hfield.orders.base_values import BaseIdeal, BaseNumber, ShownIdeal
 from hfield.orders.conjugators import two_generators
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
@@ -50,7 +51,6 @@ from hfield.orders.short_elements import reduced
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.function_fields.ideals import PolynomialIdeal
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.ring import NumberField
     from hfield.orders.basis import AlgebraBasis
@@ -253,7 +253,7 @@ def _side(side: str) -> str:
     return "right" if side == "right" else "left"
 
 
-def _basis(lattice: LatticeValue, norm: Scalar) -> dict[str, object]:
+def _basis(lattice: LatticeValue, norm: BaseNumber) -> dict[str, object]:
     """Return a basis of a lattice that is reduced for Tr(N(x)/ν): it is run through quickly."""
     if lattice.ambient.base.as_rational(norm) is not None:  # the form is a multiple of Tr(N(x))
         rows = lattice.reduced[0] * flint.fmpq(1, lattice.den)
@@ -283,7 +283,7 @@ class _Words(Protocol):
     states_maximality: ClassVar[bool]
     area_theorems: ClassVar[tuple[str, ...]]
 
-    def size(self, ideal: Any) -> Fraction | int | str:
+    def size(self, ideal: BaseIdeal) -> ShownIdeal | str:
         """Return the number by which statements name an ideal of the base."""
 
     def element(self, q: Quaternion) -> object:
@@ -333,8 +333,8 @@ class _Rational:
     def __init__(self, ambient: AlgebraBasis) -> None:
         self.ambient = ambient
 
-    def size(self, ideal: Fraction | int) -> Fraction | int:
-        return ideal
+    def size(self, ideal: BaseIdeal) -> ShownIdeal:
+        return self.ambient.base.shown_index(ideal)
 
     def element(self, q: Quaternion) -> list[str]:
         return [q.ring.text(x) for x in q.coordinates]
@@ -410,10 +410,10 @@ class _OverField:
     area_theorems: ClassVar[tuple[str, ...]] = (SIEGEL, SHIMIZU)
 
     def __init__(self, ambient: AlgebraBasis) -> None:
-        self.ambient = ambient
+        self.ambient, self.integers = ambient, number_field_integers(ambient.base)
 
-    def size(self, ideal: FractionalIdeal) -> Fraction | int:
-        return ideal.norm()
+    def size(self, ideal: BaseIdeal) -> Fraction | int:
+        return self.integers.ideal(ideal).norm()
 
     def element(self, q: Quaternion) -> dict[str, object]:
         return self._row(self.ambient.row(q))
@@ -424,8 +424,7 @@ class _OverField:
 
     @property
     def _integral_basis(self) -> list[object]:
-        base = self.ambient.base
-        return [base.field.coordinates(w) for w in base.integral_basis]
+        return [x.field.coordinates(x) for x in self.integers.integral_basis]
 
     def of_mass(self, order: LatticeValue) -> dict[str, object]:
         return {"basis": self._integral_basis, "primes": _primes(order)}
@@ -449,11 +448,11 @@ class _OverField:
         return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal)
 
     def class_set(self, classes: Classes) -> Claim:
-        order, ring = classes.order, self.ambient.base.ring
+        order, ring, read = classes.order, self.integers.ring, self.integers.ideal
         shown = {
             "kind": "ideal-classes",
             **_units(self.ambient),
-            "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
+            "narrow": [_product(ring, read(a)) for a in classes.keys.narrow.ideals],
             "primes": _primes(order),
             "classes": [_class(classes, n) for n in range(len(classes))],
         }
@@ -465,15 +464,15 @@ class _OverField:
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation | None:
         ambient = self.ambient
-        quotient = second.norm / first.norm
+        quotient = self.integers.ideal(second.norm / first.norm)
         nu, shown = totally_positive_generator(quotient), _units(ambient)
         if nu is None:
-            return NORM, {**shown, "quotient": _product(ambient.base.ring, quotient)}
+            return NORM, {**shown, "quotient": _product(self.integers.ring, quotient)}
         if not ambient.definite:
             return None
         if side == "right":
             between = conjugate(between)
-        norm = ambient.base.field.coordinates(nu)
+        norm = nu.field.coordinates(nu)
         return ENUMERATION, {**shown, "norm": norm, "between": _basis(between, nu)}
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation:
@@ -494,15 +493,18 @@ class _OverPolynomials:
     def __init__(self, ambient: AlgebraBasis) -> None:
         self.ambient = ambient
 
-    def size(self, ideal: PolynomialIdeal) -> str:
-        return self.ambient.algebra.ring.text(ideal.generator)
+    def size(self, ideal: BaseIdeal) -> str:
+        base = self.ambient.base
+        generator, *_ = base.generators(ideal, ())  # the monic one
+        return self.ambient.algebra.ring.text(base.outside(generator))
 
     def element(self, q: Quaternion) -> str:
         return ",".join(map(q.ring.text, q.coordinates))
 
     def of_mass(self, order: LatticeValue) -> dict[str, object]:
-        primes = self.ambient.base.factorisation(discriminant(order))
-        return {"primes": [self.size(P) for P, _ in primes]}
+        base = self.ambient.base
+        primes = base.factorisation(discriminant(order))
+        return {"primes": [self.size(base.prime_ideal(P)) for P, _ in primes]}
 
     def reduced_text(self, lattice: LatticeValue) -> str:
         """Return a reduced basis."""
@@ -570,17 +572,17 @@ def _product(ring: NumberField, a: FractionalIdeal) -> list[object]:
 
 def _units(ambient: AlgebraBasis) -> dict[str, object]:
     """Return what shows the units of the field."""
-    ring = ambient.base.ring
-    units = [ambient.base.inside(u) for u in ring.unit_group().generators]
+    ring = number_field_integers(ambient.base).ring
+    units = ring.unit_group().generators
     shown = evidence.evidence(s_units(ring))
-    return {"units": shown, "fundamental": [ambient.base.field.coordinates(u) for u in units]}
+    return {"units": shown, "fundamental": list(map(ring.coordinates, units))}
 
 
 def _class(classes: Classes, n: int) -> dict[str, object]:
     """Return a basis in which short vectors are found quickly, and what generates the norm."""
-    norm = classes.norms[n]
+    norm, integers = classes.norms[n], number_field_integers(classes.ambient.base)
     return {
         **_basis(classes.lattice(n), norm.element),
-        "norm": classes.ambient.base.field.coordinates(norm.element),
+        "norm": integers.ring.coordinates(integers.inside(norm.element)),
         "narrow": norm.number,
     }

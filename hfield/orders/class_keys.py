@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders.base_values import BaseIdeal, Scalar
+from hfield.orders.base_values import BaseIdeal, BaseNumber
 from hfield.orders.basis import combined
 from hfield.orders.hermite import divided, inverse, tuples
 from hfield.orders.lattice_values import LatticeValue
@@ -39,7 +39,7 @@ class Norm:
     """The norm of an ideal, ν·a: the number of the narrow class of a, and ν."""
 
     number: int
-    element: Scalar
+    element: BaseNumber
 
 
 class ClassKeys:
@@ -104,11 +104,11 @@ class ShortElement:
         """form_factor·scale·den² times too large."""
 
     @property
-    def norm(self) -> Scalar:
+    def norm(self) -> BaseNumber:
         """The reduced norm, a number of the field."""
         domain = self._ambient.domain
         below = self._ambient.scale * self.den**2 * domain.form_factor
-        found: Scalar = self._ambient.base.element_of(
+        found: BaseNumber = self._ambient.base.element_of(
             [domain.fraction(c, below) for c in self.scaled_norm]
         )
         return found

@@ -19,7 +19,7 @@ from flint import fmpz_mat
 
 from hfield.errors import UndecidedError
 from hfield.orders import hermite
-from hfield.orders.base_values import Scalar
+from hfield.orders.base_values import BaseNumber
 from hfield.orders.enumeration import short_vectors, vectors_of_length
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import conductor, is_eichler
@@ -171,7 +171,7 @@ class _Ternary:
         times = self.ambient.times
         return bool(x * times(y) == y * times(x))
 
-    def of_norm(self, norm: Scalar) -> list[flint.fmpq_mat]:
+    def of_norm(self, norm: BaseNumber) -> list[flint.fmpq_mat]:
         """Return one of ±x for each element of a norm."""
         gram, basis, den = reduced(self.ambient, self.basis, self.ambient.base.field.one)
         length = 2 * den * self.ambient.base.trace(norm)
@@ -183,10 +183,10 @@ class _Ternary:
         )
         return [row for row in rows if self.ambient.norm(row.entries()) == norm]
 
-    def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> Scalar:
+    def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> BaseNumber:
         """Return N(x + y) − N(x) − N(y)."""
         norm = self.ambient.norm
-        found: Scalar = norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
+        found: BaseNumber = norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
         return found
 
 

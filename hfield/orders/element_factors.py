@@ -23,7 +23,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.orders.base_values import BaseIdeal, Prime
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime
 from hfield.orders.equivalence import equivalence
 from hfield.orders.ideals_of_norm import ideals_of_norm, random_ideal
 from hfield.orders.lattice_values import (
@@ -48,7 +48,7 @@ class GivenPrime(NamedTuple):
 
     prime: Prime
     ideal: BaseIdeal
-    number: object
+    number: BaseNumber | None
 
 
 def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, list[Quaternion]]:

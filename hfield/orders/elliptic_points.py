@@ -28,6 +28,7 @@ from hfield.fields.number_fields.ideals import integers
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.sums import roots_in, sums_of_roots
 from hfield.fields.number_fields.symbols import DyadicPrime
+from hfield.orders.base import number_field_integers
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue
 
@@ -46,7 +47,9 @@ def elliptic_points(order: LatticeValue) -> dict[int, int]:
 
     The algebra is a division algebra over a totally real field and splits at one real place.
     """
-    found = [_Rotations(order, q, t) for q, t in _traces(order.ambient.base.field)]
+    found = [
+        _Rotations(order, q, t) for q, t in _traces(number_field_integers(order.ambient.base).field)
+    ]
     counts = {x.q: x.count([y for y in found if y.q % x.q == 0 and y.q > x.q]) for x in found}
     return {q: n for q, n in counts.items() if n}
 
@@ -68,7 +71,8 @@ class _Rotations:
     def __init__(self, order: LatticeValue, q: int, t: FieldElement) -> None:
         ambient = order.ambient
         self.ambient, self.q, self.d = ambient, q, t * t - 4
-        several = [P for P, e in ambient.base.principal(self.d).factorisation() if e > 1]
+        self.base = number_field_integers(ambient.base)
+        several = [P for P, e in self.base.principal(self.d).factorisation() if e > 1]
         self.level = dict(ambient.base.factorisation(level(order)))
         primes = [*ambient.ramified, *self.level, *map(ambient.base.prime, several)]
         self.primes = {P: _LocalField(ambient, P, self.d) for P in primes}
@@ -83,7 +87,7 @@ class _Rotations:
                 total += prod(self._local(P, k) for P, k in conductor.items())
         if not total:
             return 0
-        found = 2 * self.q * total * relative_class_number(self.ambient.base.field, self.q, self.d)
+        found = 2 * self.q * total * relative_class_number(self.base.field, self.q, self.d)
         if found.denominator > 1:
             raise ArithmeticError("the number of elliptic points is not an integer")
         return int(found)
@@ -113,7 +117,7 @@ class _LocalField:
     """
 
     def __init__(self, ambient: AlgebraBasis, P: PrimeIdeal, d: FieldElement) -> None:
-        self.ambient, self.P, self.d = ambient, P, d
+        self.base, self.P, self.d = number_field_integers(ambient.base), P, d
         v, unit = P.unit_part(d)
         e = self.e = P.e if P.p == 2 else 0
         exponent = 2 * e + 1  # of the discriminant of the field
@@ -131,7 +135,7 @@ class _LocalField:
 
     @cached_property
     def representatives(self) -> list[FieldElement]:
-        return self.ambient.base.residues(self.P)
+        return self.base.residues(self.P)
 
     def embeddings(self, k: int, e: int) -> int:
         """Return how many classes of optimal embeddings Eichler's order of level Pᵉ has, for a conductor Pᵏ.
@@ -145,7 +149,7 @@ class _LocalField:
             )
         d = self.d * P.inverse_uniformiser ** (2 * (self.conductor - k))
         trace = next(t for t in self._residues(self.e) if self._is_root(t, d, 2 * self.e))
-        roots = [[self.ambient.base.field.zero]]  # modulo P⁰, P¹, …
+        roots = [[self.base.field.zero]]  # modulo P⁰, P¹, …
         for s in range(e + 1):
             step = P.uniformiser**s
             roots.append(
@@ -167,7 +171,7 @@ class _LocalField:
         steps = [self.P.uniformiser**s for s in range(count)]
         for digits in product(self.representatives, repeat=count):
             pairs = zip(digits, steps, strict=True)
-            yield sum((r * step for r, step in pairs), self.ambient.base.field.zero)
+            yield sum((r * step for r, step in pairs), self.base.field.zero)
 
     def _is_root(self, x: FieldElement, d: FieldElement, count: int) -> bool:
         """Tell whether x² ≡ d modulo P^count."""

@@ -21,7 +21,7 @@ from hfield.errors import UndecidedError
 from hfield.fuchsian.search import element_of_norm, split_order
 from hfield.orders import certificates, enumeration, hermite, ideal_products
 from hfield.orders.base import Base
-from hfield.orders.base_values import BaseIdeal, Scalar
+from hfield.orders.base_values import BaseIdeal, BaseNumber
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.invariants import has_all_unit_norms
 from hfield.orders.lattice_values import (
@@ -112,12 +112,12 @@ def element_generating(
     return EquivalenceResult(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
 
 
-def _norms_text(base: Base, norms: Sequence[Scalar]) -> str:
+def _norms_text(base: Base, norms: Sequence[BaseNumber]) -> str:
     shown = ", ".join(base.ring.text(base.outside(x)) for x in norms)
     return f"norm {shown}" if len(norms) == 1 else f"a norm among {shown}, up to squares of units,"
 
 
-def _among_short(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
+def _among_short(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaternion | None:
     """Return an element of norm ±n, if one is among short vectors, over the field of degree 1."""
     ambient = lattice.ambient
     if ambient.degree > 1:
@@ -138,7 +138,7 @@ def _among_short(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion |
 
 
 def _in_the_plane(
-    lattice: LatticeValue, norms: Sequence[Scalar], order: LatticeValue
+    lattice: LatticeValue, norms: Sequence[BaseNumber], order: LatticeValue
 ) -> Quaternion | None:
     """Return an element of one of these norms that is short from some point of the plane."""
     split = split_order(order)

@@ -36,7 +36,6 @@ from hfield.orders import (
     equivalence,
     foreign_writing,
     generated_orders,
-    hermite,
     ideal_generators,
     ideal_products,
     ideals_of_norm,
@@ -83,6 +82,7 @@ from hfield.sympy_printing import PrintedBySympy
 from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
+    from hfield.fields.function_fields.quotients import Quotient
     from hfield.orders.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
     from hfield.orders.rational_newforms import RationalNewform
@@ -138,7 +138,7 @@ class Lattice(Hinted, PrintedBySympy):
     # --- what it is ------------------------------------------------------------------------------
 
     @property
-    def hnf(self) -> tuple[int, hermite.Rows]:
+    def hnf(self) -> tuple[int | Quotient, tuple[tuple[int | Quotient, ...], ...]]:
         """The least denominator, and the rows of the Hermite normal form, integers.
 
         Over ℚ they are coordinates over 1, i, j, k; over K coordinates in the integral basis times

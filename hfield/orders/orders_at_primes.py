@@ -18,7 +18,7 @@ from flint import fmpq_mat, fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.orders import hermite
-from hfield.orders.base_values import BaseIdeal, Prime, Residue, Scalar
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Residue
 from hfield.orders.domains import EuclideanDomain
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
@@ -92,13 +92,13 @@ class OrderAtPrime:
     def _sort_key(self, residue: Residue) -> tuple[Any, ...]:
         return tuple(self.domain.sort_key(self.digits(residue)))
 
-    def lift(self, residue: Residue) -> Scalar:
+    def lift(self, residue: Residue) -> BaseNumber:
         """Return an integer of the field with a given residue."""
-        found: Scalar = self.base.lift(self.prime, residue)
+        found: BaseNumber = self.base.lift(self.prime, residue)
         return found
 
     @cached_property
-    def representatives(self) -> list[Scalar]:
+    def representatives(self) -> list[BaseNumber]:
         """Integers of the field, one of each class modulo P, 0 first."""
         return self.base.residues(self.prime)
 
@@ -196,7 +196,7 @@ class OrderAtPrime:
             known *= 2
         return e
 
-    def _number(self, x: Scalar) -> fmpq_mat:
+    def _number(self, x: BaseNumber) -> fmpq_mat:
         """Return a number of the field as an element, one row."""
         return self.ambient.one * self.ambient.scalar(x)
 
@@ -284,7 +284,7 @@ class OrderAtPrime:
         other = (place.zero - place.multiply(b, place.inverse(a)) - root) % place.modulus
         return min(root, other, key=self._sort_key) if root != other else None
 
-    def _lifted(self, polynomial: Sequence[list[int]], root: Scalar, e: int) -> Scalar:
+    def _lifted(self, polynomial: Sequence[list[int]], root: BaseNumber, e: int) -> BaseNumber:
         """Return the root of a·x² + b·x + c modulo Pᵉ above a simple root modulo P (Hensel)."""
         if e == 1:
             return root

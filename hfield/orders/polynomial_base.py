@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, NoReturn, TypeGuard
 
 from hfield.core.product import Constants
 from hfield.errors import HFieldError, LatticeError, shorten
@@ -24,14 +24,19 @@ from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
-from hfield.orders.base_values import BaseIdeal, TrivialClassGroup
+from hfield.orders.base_values import BaseNumber, Integer, Prime, Quadruple, TrivialClassGroup
 from hfield.orders.domains import PolynomialDomain
 from hfield.orders.polynomial_matrices import FractionMatrix
 from hfield.orders.validation import natural
 
 if TYPE_CHECKING:
+    from flint import fq_default_poly
+
+    from hfield.algebra.quaternion import Parent
     from hfield.fields.function_fields.quotients import Quotient
+    from hfield.orders.base import Counts, QuaternionBasis
     from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.lattice_values import LatticeValue
 
 
 class PolynomialNarrowClass:
@@ -70,13 +75,13 @@ class PolynomialBase:
 
     # --- elements ------------------------------------------------------------------------------------
 
-    def inside(self, x: Any) -> Quotient:
+    def inside(self, x: object) -> Quotient:
         return self.integers.inside(x)
 
     def outside(self, x: Quotient) -> Quotient:
         return self.integers.outside(x)
 
-    def coordinate_rows(self, elements: Sequence[Any]) -> FractionMatrix:
+    def coordinate_rows(self, elements: Sequence[Quotient]) -> FractionMatrix:
         return self.domain.fraction_matrix([[x] for x in elements])
 
     def element_of(self, row: Sequence[Quotient]) -> Quotient:
@@ -85,25 +90,25 @@ class PolynomialBase:
     def as_rational(self, x: Quotient) -> Quotient:
         return x
 
-    def trace(self, x: Any) -> Quotient:
+    def trace(self, x: Quotient) -> Quotient:
         return self.domain.as_fraction(x)
 
-    def number_data(self, x: Any) -> str:
+    def number_data(self, x: Integer) -> str:
         return self.ring.text(self.shown_number(x))
 
-    def shown_number(self, x: Any) -> Quotient:
+    def shown_number(self, x: Integer) -> Quotient:
         return self.outside(self.domain.as_fraction(x))
 
     def square_root(self, x: Quotient) -> Quotient | None:
         found = self.field.sqrt(x)
         return None if found is None else self.outside(found)
 
-    def is_totally_positive(self, x: Any) -> bool:
+    def is_totally_positive(self, x: Quotient) -> bool:
         return True
 
     # --- algebras ------------------------------------------------------------------------------------
 
-    def quaternion_basis(self, algebra: Any) -> Any:
+    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[Quotient]:
         from hfield.orders.base import QuaternionBasis, degenerate
 
         constants = Constants(*map(self.inside, algebra.constants))
@@ -116,11 +121,11 @@ class PolynomialBase:
             for some in ((a, t), (b,))
         )
 
-        def into(coordinates: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+        def into(coordinates: Sequence[Quotient]) -> Quadruple[Quotient]:
             w, x, y, z = coordinates
             return w, x / r, y / s, z / (r * s)
 
-        def back(coordinates: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+        def back(coordinates: Sequence[Quotient]) -> Quadruple[Quotient]:
             w, x, y, z = coordinates
             return w, x * r, y * s, z * (r * s)
 
@@ -136,19 +141,19 @@ class PolynomialBase:
 
     # --- ideals and primes ---------------------------------------------------------------------------
 
-    def _prime(self, polynomial: Any) -> PolynomialIdeal:
+    def _prime(self, polynomial: fq_default_poly) -> PolynomialIdeal:
         return self.principal(self.domain.as_fraction(polynomial))
 
-    def principal(self, x: Any) -> PolynomialIdeal:
+    def principal(self, x: Quotient | fq_default_poly) -> PolynomialIdeal:
         return self.integers.principal(self.domain.as_fraction(x))
 
     def ideal(self, x: object) -> PolynomialIdeal:
         return self.integers.ideal(x)
 
-    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
+    def is_ideal(self, x: object) -> TypeGuard[PolynomialIdeal]:
         return isinstance(x, PolynomialIdeal | FunctionPlace)
 
-    def norm_bound(self, lattice: Any, n: object) -> int:
+    def norm_bound(self, lattice: LatticeValue, n: object) -> int:
         scale = self.domain.integer(lattice.ambient.scale * lattice.den**2)
         shift: int = scale.degree() - lattice.content.degree()
         return natural(n, "norms are listed up to a degree,") + shift
@@ -168,11 +173,11 @@ class PolynomialBase:
     def ideal_text(self, ideal: PolynomialIdeal) -> str:
         return str(ideal)
 
-    def ideal_spanned(self, entries: Sequence[Any], den: Any) -> PolynomialIdeal:
+    def ideal_spanned(self, entries: Sequence[Integer], den: Integer) -> PolynomialIdeal:
         domain = self.domain
         return self.principal(domain.fraction(domain.content(entries), den))
 
-    def ideal_rows(self, ideal: PolynomialIdeal) -> tuple[Any, list[list[Any]]]:
+    def ideal_rows(self, ideal: PolynomialIdeal) -> tuple[Integer, list[list[Integer]]]:
         return ideal.x.den, [[ideal.x.num]]
 
     def inverse(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
@@ -214,7 +219,7 @@ class PolynomialBase:
 
         return (self._prime(v.poly) for v in all_places(self.field) if v.poly is not None)
 
-    def primes_above(self, p: Any) -> list[tuple[Any, Any]]:
+    def primes_above(self, p: Integer) -> list[tuple[Prime, PolynomialIdeal]]:
         prime = self.prime(self.outside(self.domain.as_fraction(p)))
         return [(prime, prime)]
 
@@ -250,27 +255,27 @@ class PolynomialBase:
         domain = self.domain
         return [domain.as_fraction(x) for x in domain.of_degree_below(prime.degree)]
 
-    def digits(self, prime: PolynomialIdeal, residue: Any) -> list[Any]:
+    def digits(self, prime: PolynomialIdeal, residue: fq_default_poly) -> list[fq_default_poly]:
         return [residue]
 
-    def residue(self, prime: PolynomialIdeal, digits: Sequence[Any]) -> Any:
+    def residue(self, prime: PolynomialIdeal, digits: Sequence[Integer]) -> fq_default_poly:
         return self.domain.integer(digits[0])
 
-    def lift(self, prime: PolynomialIdeal, residue: Any) -> Quotient:
+    def lift(self, prime: PolynomialIdeal, residue: fq_default_poly) -> Quotient:
         return self.domain.as_fraction(residue)
 
-    def integer_near(self, x: Quotient, modulus: Any) -> Quotient:
+    def integer_near(self, x: Quotient, modulus: fq_default_poly) -> Quotient:
         inverse = self.domain.inverse_modulo(x.den % modulus, modulus)
         return self.domain.as_fraction(x.num * inverse % modulus)
 
-    def quadratic_symbol(self, trace: Any, norm: Any, prime: PolynomialIdeal) -> int:
+    def quadratic_symbol(self, trace: Quotient, norm: Quotient, prime: PolynomialIdeal) -> int:
         place = self.place(prime)
         t, n = (place.reduce(self.domain.as_fraction(x)) for x in (trace, norm))
         if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
             return 0
         return -1 if place.quadratic_root(place.one, place.zero - t, n) is None else 1
 
-    def square_classes(self, prime: PolynomialIdeal) -> tuple[int, Callable[[Any], int]]:
+    def square_classes(self, prime: PolynomialIdeal) -> tuple[int, Callable[[Quotient], int]]:
         raise LatticeError(f"stable classes over {self.symbol} are those of Eichler orders, one")
 
     # --- masses --------------------------------------------------------------------------------------
@@ -291,32 +296,33 @@ class PolynomialBase:
             f"{what} over ℤ and the integers of number fields, not over {self.symbol}"
         )
 
-    def sign(self, x: Any, place: int) -> int:
+    def sign(self, x: Quotient, place: int) -> int:
         raise self._no_number_field("there are signs at real places")
 
-    def real(self, x: Any, place: int) -> float:
+    def real(self, x: Quotient, place: int) -> float:
         raise self._no_number_field("there are real embeddings")
 
-    def ball(self, x: Any, place: int) -> Any:
+    def ball(self, x: Quotient, place: int) -> NoReturn:
         raise self._no_number_field("there are real embeddings")
 
-    def root_modulo_4(self, d: Any) -> Any:
+    def root_modulo_4(self, d: Quotient) -> NoReturn:
         raise self._no_number_field("quadratic orders are given by discriminants")
 
     # --- what a user sees ----------------------------------------------------------------------------
 
-    def shown_norm(self, lattice: Any) -> PolynomialIdeal:
+    def shown_norm(self, lattice: LatticeValue) -> PolynomialIdeal:
         found: PolynomialIdeal = lattice.norm
         return found
 
     def shown_index(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
         return ideal
 
-    def theta_step(self, lattice: Any) -> Fraction:
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
         return Fraction(1)
 
-    def shown_counts(self, counts: Any, step: Fraction, bound: int) -> dict[Quotient, int]:
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[BaseNumber, int]:
         """Return a dict, ordered by degrees."""
         key = self.domain.sort_key
-        norms = sorted(counts.numbers, key=lambda norm: key((norm[0].num,)))
-        return {self.outside(norm[0]): counts.numbers[norm] for norm in norms}
+        norms = {self.domain.fraction(x, counts.den): n for (x,), n in counts.numbers.items()}
+        ordered = sorted(norms.items(), key=lambda pair: key((pair[0].num,)))
+        return {self.outside(norm): n for norm, n in ordered}

@@ -12,17 +12,19 @@ import flint
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
-from hfield.orders.base import Base
-from hfield.orders.base_values import Scalar
+from hfield.orders.base import Base, number_field_integers
+from hfield.orders.base_values import BaseNumber
 from hfield.orders.hermite import tuples
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import FractionalIdeal
+    from hfield.orders.base import NumberFieldIntegers
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
-    PseudoBasis = tuple[tuple[tuple[Scalar, ...], Quaternion], ...]
+    PseudoBasis = tuple[tuple[tuple[BaseNumber, ...], Quaternion], ...]
 
 COEFFICIENTS = 12  # of b in Steinitz's step that are tried; most are good
 
@@ -39,14 +41,14 @@ def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint
     return found
 
 
-def multiplication(base: Base, x: Scalar, m: int = 1) -> flint.fmpq_mat:
+def multiplication(base: Base, x: BaseNumber, m: int = 1) -> flint.fmpq_mat:
     """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
     block = base.coordinate_rows([w * x for w in base.integral_basis]).tolist()
     zero = [flint.fmpq(0)] * base.degree
     return flint.fmpq_mat([zero * k + row + zero * (m - 1 - k) for k in range(m) for row in block])
 
 
-def inverse_ideal(base: Base, ideal: list[Scalar]) -> list[Scalar]:
+def inverse_ideal(base: Base, ideal: list[BaseNumber]) -> list[BaseNumber]:
     """Return a basis over ℤ of the x with x·I integral, for the basis of an ideal I."""
     # coordinates v with v·B integral for all columns B: v is in the inverse of the lattice of these
     columns = [c for y in ideal for c in multiplication(base, y).transpose().tolist()]
@@ -67,7 +69,7 @@ def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
 
 def _pseudo_basis(
     base: Base, rows: flint.fmpq_mat
-) -> list[tuple[tuple[Scalar, ...], list[flint.fmpq]]]:
+) -> list[tuple[tuple[BaseNumber, ...], list[flint.fmpq]]]:
     """Return ideals Iₜ and vectors xₜ: a module of full rank in Kᵐ is the direct sum of the Iₜ·xₜ.
 
     From the last coordinate on: the coordinates there are an ideal I, and I⁻¹ times the module has a vector
@@ -123,8 +125,9 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
     """
     found: list[Quaternion] = []
     left: list[tuple[FractionalIdeal, Quaternion]] = []
+    base = number_field_integers(ambient.base)
     for basis, x in pairs:
-        ideal = ambient.base.ideal(list(basis))
+        ideal = base.ideal(list(basis))
         principal = ideal.is_principal()
         if principal:
             found.append(x * principal.generator)
@@ -133,11 +136,11 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
     while left:
         if len(left) == 1:
             raise LatticeError(
-                f"this lattice is not a free module over the integers of {ambient.base.ring.name}: it is one "
+                f"this lattice is not a free module over the integers of {base.ring.name}: it is one "
                 f"with a factor {left[0][0]}, which is not principal"
             )
         (I, x), (J, y), *left = left
-        a, b, s, t = _combination(ambient, I, J)
+        a, b, s, t = _combination(base, I, J)
         found.append(x * a + y * b)
         rest, vector = I * J, y * s - x * t
         principal = rest.is_principal()
@@ -149,17 +152,17 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
 
 
 def _combination(
-    ambient: AlgebraBasis, I: FractionalIdeal, J: FractionalIdeal
-) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+    base: NumberFieldIntegers, I: FractionalIdeal, J: FractionalIdeal
+) -> tuple[FieldElement, FieldElement, FieldElement, FieldElement]:
     """Return a in I, b in J, s in I⁻¹ and t in J⁻¹ with a·s + b·t = 1."""
     a = I.basis[0]
-    U, inverse = ambient.base.principal(a) / I, J.inverse()
+    U, inverse = base.principal(a) / I, J.inverse()
     digits = sorted(range(-COEFFICIENTS, COEFFICIENTS + 1), key=abs)
-    for c in product(digits, repeat=ambient.degree):
-        b = sum((y * n for y, n in zip(J.basis, c, strict=True)), ambient.base.field.zero)
-        if b == ambient.base.field.zero:
+    for c in product(digits, repeat=base.degree):
+        b = sum((y * n for y, n in zip(J.basis, c, strict=True)), base.field.zero)
+        if b == base.field.zero:
             continue
-        V = ambient.base.principal(b) * inverse
+        V = base.principal(b) * inverse
         if U + V == 1:
             break
     else:
@@ -167,13 +170,11 @@ def _combination(
     # 1 as a sum of elements of U and V: a reduced basis of all integers, and how it is made of both
     rows = flint.fmpz_mat([*U.rows.numer_denom()[0].tolist(), *V.rows.numer_denom()[0].tolist()])
     reduced, change = rows.lll(transform=True)
-    n = ambient.degree
+    n = base.degree
     own = flint.fmpq_mat(flint.fmpz_mat(reduced.tolist()[n:]))
-    one = coordinate_rows(ambient.base.field, [ambient.base.field.one]) * own.inv()
+    one = coordinate_rows(base.field, [base.field.one]) * own.inv()
     steps = one * flint.fmpq_mat(flint.fmpz_mat(change.tolist()[n:]))
-    y = element_of(
-        ambient.base.field, (flint.fmpq_mat(1, n, steps.entries()[:n]) * U.rows).entries()
-    )
-    s, t = y * a.inverse(), (ambient.base.field.one - y) * b.inverse()
-    out = ambient.base.outside
+    y = element_of(base.field, (flint.fmpq_mat(1, n, steps.entries()[:n]) * U.rows).entries())
+    s, t = y * a.inverse(), (base.field.one - y) * b.inverse()
+    out = base.outside
     return out(a), out(b), out(s), out(t)

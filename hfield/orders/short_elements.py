@@ -18,7 +18,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.fields.base.flint_types import Rational
 from hfield.orders import hermite
-from hfield.orders.base_values import Scalar, ThetaSeries
+from hfield.orders.base_values import BaseNumber, ThetaSeries
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -84,7 +84,7 @@ def multiple_of_content(lattice: LatticeValue, n: Rational) -> fmpq:
     return domain.as_fraction(n) * domain.fraction(ambient.scale * lattice.den**2, lattice.content)
 
 
-def of_norm(lattice: LatticeValue, norm: Scalar) -> tuple[Quaternion, ...]:
+def of_norm(lattice: LatticeValue, norm: BaseNumber) -> tuple[Quaternion, ...]:
     """Return all elements with a norm, a number of the field. Raises :class:`TooLargeError`."""
     base = lattice.ambient.base
     if not norm:
@@ -101,7 +101,7 @@ def of_norm(lattice: LatticeValue, norm: Scalar) -> tuple[Quaternion, ...]:
 Form = tuple[list[list[int]], fmpz_mat, int]
 
 
-def form_of_norm(lattice: LatticeValue, norm: Scalar) -> Form | None:
+def form_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Form | None:
     """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
 
     The value is that for N(x) = ν; None where there is no such x.
@@ -118,7 +118,7 @@ def form_of_norm(lattice: LatticeValue, norm: Scalar) -> Form | None:
 
 
 def _rows(
-    lattice: LatticeValue, norm: Scalar, form: Form, expected: str | None = None
+    lattice: LatticeValue, norm: BaseNumber, form: Form, expected: str | None = None
 ) -> Iterator[fmpz_mat]:
     gram, basis, length = form
     ambient, domain = lattice.ambient, lattice.ambient.domain
@@ -130,7 +130,7 @@ def _rows(
             yield row
 
 
-def first_of_norm(lattice: LatticeValue, norm: Scalar) -> fmpz_mat | None:
+def first_of_norm(lattice: LatticeValue, norm: BaseNumber) -> fmpz_mat | None:
     """Return an element with a norm, totally positive, as a row over the denominator, or None."""
     form = form_of_norm(lattice, norm)
     if form is None:
@@ -146,7 +146,7 @@ def first_of_norm(lattice: LatticeValue, norm: Scalar) -> fmpz_mat | None:
     return next(_rows(lattice, norm, form), None)
 
 
-def element_of_norms(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
+def element_of_norms(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaternion | None:
     """Return an element of one of these norms in a definite algebra, or None where there is none."""
     for x in norms:
         row = first_of_norm(lattice, x)
@@ -155,7 +155,7 @@ def element_of_norms(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaterni
     return None
 
 
-def rows_of_norm(lattice: LatticeValue, norm: Scalar) -> Iterator[fmpq_mat]:
+def rows_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
     form = form_of_norm(lattice, norm)
     if form is not None:
@@ -221,7 +221,7 @@ def ternary_rows(order: LatticeValue) -> fmpq_mat:
 
 
 def reduced(
-    ambient: AlgebraBasis, rows: fmpq_mat, c: Scalar
+    ambient: AlgebraBasis, rows: fmpq_mat, c: BaseNumber
 ) -> tuple[list[list[int]], fmpq_mat, int]:
     """Return ``Tr(c·tr(x·conj(y)))`` times a number for a reduced basis, the basis, and the number.
 

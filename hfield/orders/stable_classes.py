@@ -20,7 +20,7 @@ from fractions import Fraction
 
 from flint import fmpq_mat
 
-from hfield.orders.base_values import Prime, Scalar
+from hfield.orders.base_values import BaseNumber, Prime
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -38,7 +38,7 @@ class LocalNorms:
 
     prime: Prime
     size: int
-    square_class: Callable[[Scalar], int]
+    square_class: Callable[[BaseNumber], int]
     """The class of the unit part of a number, for a fixed uniformiser."""
     norms: tuple[int, ...]
     """Classes that generate those of the norms."""
@@ -50,7 +50,9 @@ class StableClasses:
     ``units`` generate the totally positive units modulo squares.
     """
 
-    def __init__(self, places: Sequence[LocalNorms], units: Iterable[Scalar], ideals: int) -> None:
+    def __init__(
+        self, places: Sequence[LocalNorms], units: Iterable[BaseNumber], ideals: int
+    ) -> None:
         self.places = places
         self._basis: list[int] = []  # leading digits differ, and fall
         size = 0
@@ -72,7 +74,7 @@ class StableClasses:
             vector = min(vector, vector ^ b)
         return vector
 
-    def reduced(self, values: Iterable[Scalar]) -> int:
+    def reduced(self, values: Iterable[BaseNumber]) -> int:
         """Return the class of numbers, one a place, modulo the norms of local units and all units."""
         vector = size = 0
         for place, x in zip(self.places, values, strict=True):
@@ -92,7 +94,7 @@ def stable_classes(order: LatticeValue) -> StableClasses:
     return StableClasses(places, base.positive_units, base.narrow_classes.order)
 
 
-def _norms(order: LatticeValue, P: Prime) -> Iterator[Scalar]:
+def _norms(order: LatticeValue, P: Prime) -> Iterator[BaseNumber]:
     """Yield norms that generate, with the squares, those of the units at P."""
     ambient, place = order.ambient, order.ambient.base.place(P)
     if place.below > 2:

@@ -101,7 +101,8 @@ def lipschitz_order(algebra: Parent) -> LatticeValue:
 
 def hurwitz_order(algebra: Parent) -> LatticeValue:
     """Return the Hurwitz order. Raises :class:`CoercionError` except for (−1,−1|ℚ)."""
-    if tuple(basis_of(algebra).constants) != (-1, 0, -1):
+    a, t, b = basis_of(algebra).constants
+    if not (a == -1 and t == 0 and b == -1):
         raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {algebra}")
     rows = [[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]
     return LatticeValue(basis_of(algebra), 2, fmpz_mat(rows))

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from flint import fmpz, nmod_mat, nmod_poly
 
 from hfield.fields.rationals.whole_numbers import sqrt_mod
+from hfield.orders.base import number_field_integers
 from hfield.orders.basis import AlgebraBasis
 
 Square = tuple[int, int, int, int]
@@ -30,9 +31,9 @@ class Place(NamedTuple):
 
 def embeddings(ambient: AlgebraBasis, p: int) -> list[list[int]]:
     """Return the images of the integral basis by all embeddings of the field in 𝔽_p."""
-    base = ambient.base
-    if base.is_rational:
+    if ambient.base.is_rational:
         return [[1]]
+    base = number_field_integers(ambient.base)
     field = base.field
     modulus = nmod_poly([_modulo(c, p) for c in field.modulus_over_rationals()], p)
     rows = [[_modulo(c, p) for c in field.coefficients_of(w)] for w in base.integral_basis]
@@ -44,7 +45,7 @@ def splits_completely(ambient: AlgebraBasis, p: int) -> bool:
     """Tell whether a prime number, larger than all that is in question, splits completely in the field."""
     if ambient.degree == 1:
         return True
-    coefficients = ambient.base.field.modulus_over_rationals()
+    coefficients = number_field_integers(ambient.base).field.modulus_over_rationals()
     modulus = nmod_poly([_modulo(c, p) for c in coefficients], p)
     x = nmod_poly([0, 1], p)
     return bool(x.pow_mod(p, modulus) == x % modulus)
