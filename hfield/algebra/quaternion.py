@@ -63,6 +63,7 @@ class Parent(Protocol):
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
     def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
+    def __hash__(self) -> int: ...
     @property
     def one(self) -> Quaternion: ...  # noqa: D102
     @property

@@ -11,6 +11,7 @@ from typing import Any
 from flint import fmpz
 
 from hfield.core.factorisation import factorise
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import elliptic_points as over_fields
 from hfield.orders.invariants import eichler_symbol, is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
@@ -87,7 +88,7 @@ def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
     field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).
     """
     d = t * t - 4
-    for p in factorise(order.ambient.discriminant):
+    for p in factorise(int(fraction(order.ambient.discriminant))):
         e, rest = 0, d
         while rest % (p * p) == 0:
             e, rest = e + 1, rest // (p * p)

@@ -386,7 +386,8 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | N
     for P in value.ambient.ramified:
         if base.quadratic_symbol(t, norm, P) == 1:
             return f"{P} splits in the quadratic field, and the algebra ramifies at {P}", P
-        if eichler and base.is_rational and not is_maximal_at(int(d), P):
+        p = base.absolute_norm(base.prime_ideal(P))
+        if eichler and base.is_rational and not is_maximal_at(int(d), p):
             return f"{P} divides the conductor, and the algebra ramifies at {P}", P
     for P, e in base.factorisation(level(value)) if eichler else ():
         if e == 1 and base.quadratic_symbol(t, norm, P) == -1:

@@ -534,7 +534,7 @@ class RationalIntegers:
         return ideal.numerator if ideal.denominator == 1 else ideal
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:
-        return Fraction(lattice.norm)
+        return fraction(lattice.norm)
 
     def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> list[int]:
         unit, found = int(step * counts.den), [0] * (bound + 1)
@@ -862,8 +862,7 @@ class NumberFieldIntegers:
         return self.field(x).trace()
 
     def shown_norm(self, lattice: LatticeValue) -> ideals.FractionalIdeal:
-        found: ideals.FractionalIdeal = lattice.norm
-        return found
+        return self.ideal(lattice.norm)
 
     def shown_index(self, ideal: ideals.FractionalIdeal) -> ideals.FractionalIdeal:
         return ideal

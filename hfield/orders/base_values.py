@@ -10,13 +10,24 @@ from hfield.core import product
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from flint import fmpz, fq_default_poly
+    from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fq_default_poly, nmod_mat
 
     from hfield.fields.function_fields.ideals import PolynomialIdeal
+    from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.number_fields.ideals import FractionalIdeal
+    from hfield.orders.polynomial_matrices import FractionMatrix, PolynomialMatrix
+    from hfield.orders.residue_matrices import ResidueMatrix
 
 Integer: TypeAlias = "int | fmpz | fq_default_poly"
 """A number of the domain over which lattices are matrices: an integer, or a polynomial over GF(q)."""
+
+Rational: TypeAlias = "fmpq | Quotient"
+"""A fraction of two numbers of the domain."""
+
+IntegerMatrix: TypeAlias = "fmpz_mat | PolynomialMatrix"
+RationalMatrix: TypeAlias = "fmpq_mat | FractionMatrix"
+ModularMatrix: TypeAlias = "nmod_mat | ResidueMatrix"
+"""A matrix modulo a prime of the domain."""
 
 Prime: TypeAlias = Hashable
 """A prime of a base: over ℤ a number, elsewhere a prime ideal. Only the base looks into it."""
@@ -53,7 +64,8 @@ NumberT = TypeVar("NumberT", bound=BaseNumber)
 NumberT_co = TypeVar("NumberT_co", bound=BaseNumber, covariant=True)
 IdealT = TypeVar("IdealT")
 IdealT_contra = TypeVar("IdealT_contra", contravariant=True)
-Quadruple: TypeAlias = tuple[NumberT, NumberT, NumberT, NumberT]
+Coordinate = TypeVar("Coordinate")
+Quadruple: TypeAlias = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
 """The coordinates of a quaternion."""
 
 

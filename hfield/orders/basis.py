@@ -13,10 +13,11 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.core.product import conjugate, multiply, norm, trace
 from hfield.errors import IndefiniteError, LatticeError, RingError, shorten
 from hfield.fields.base.ring import Ring
@@ -24,13 +25,14 @@ from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.base import RATIONAL_INTEGERS, Base, NumberFieldIntegers
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Quadruple, Rational
 from hfield.orders.kernels import Kernels
 from hfield.orders.polynomial_base import PolynomialBase
 
 if TYPE_CHECKING:
     from flint import fq_default_poly
 
-    from hfield.algebra.quaternion import Parent, Quaternion
+    from hfield.algebra.quaternion import Parent
     from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.function_fields.ideals import PolynomialIdeal
     from hfield.fields.function_fields.quotients import Quotient
@@ -39,7 +41,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.orders.base import BaseRing
 
-UNITS: list[Any] = [tuple(int(m == n) for n in range(4)) for m in range(4)]
+UNITS: list[Quadruple[int]] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
 
 
 class AlgebraBasis:
@@ -78,11 +80,13 @@ class AlgebraBasis:
         self.right = [_integral(m, self.scale) * s for m in right for s in self.scalars]
         self.left = [_integral(m, self.scale) * s for m in left for s in self.scalars]
         self.traces = [_integral(m, self.scale) for m in forms]
-        self.norm_forms = domain.quadratic(self.traces, [norm(c, u) for u in UNITS])
+        self.norm_forms = domain.quadratic(
+            self.traces, [norm(c, _scaled(u, base.field.one)) for u in UNITS]
+        )
         self.conjugation, below = bars.numer_denom()
         self.conjugate_scale = domain.integer(below)
 
-    def _matrix(self, images: Iterable[Sequence[Any]]) -> fmpq_mat:
+    def _matrix(self, images: Iterable[Sequence[BaseNumber | int]]) -> fmpq_mat:
         """Return the matrix of a linear map over the base by its images of 1, I, J, IJ."""
         numbers = [w * x for q in images for w in self.base.integral_basis for x in q]
         entries = self.base.coordinate_rows(numbers).entries()
@@ -110,7 +114,7 @@ class AlgebraBasis:
 
     # --- elements ----------------------------------------------------------------------------------
 
-    def parts(self, row: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+    def parts(self, row: Sequence[Rational]) -> Quadruple[BaseNumber]:
         """Return w, x, y, z, numbers of the field."""
         n, number = self.degree, self.base.element_of
         w, x, y, z = (number(row[k : k + n]) for k in range(0, self.size, n))
@@ -126,15 +130,15 @@ class AlgebraBasis:
         q: Quaternion = self.algebra(*map(self.base.outside, found))
         return q
 
-    def row(self, x: Any) -> fmpq_mat:
+    def row(self, x: object) -> fmpq_mat:
         """Return what the algebra reads as an element, a matrix of one row."""
         return self.rows([x])
 
-    def rows(self, elements: Sequence[Any]) -> fmpq_mat:
+    def rows(self, elements: Sequence[object]) -> fmpq_mat:
         """Return what the algebra reads as elements, one a row."""
-        inside, into, numbers = self.base.inside, self._quaternions.into, list[Any]()
+        inside, into, numbers = self.base.inside, self._quaternions.into, list[BaseNumber]()
         for x in elements:
-            q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
+            q = x if isinstance(x, Quaternion) and x.algebra is self.algebra else self.algebra(x)
             if q.is_batch:
                 raise LatticeError(
                     "a lattice is spanned by single elements, and this is an array of them"
@@ -158,11 +162,11 @@ class AlgebraBasis:
         numbers = [self.trace(row), self.norm(row)]
         return bool(self.base.coordinate_rows(numbers).numer_denom()[1] == 1)
 
-    def norm(self, row: Sequence[fmpq]) -> Any:
+    def norm(self, row: Sequence[fmpq]) -> BaseNumber:
         """Return the reduced norm of an element, a number of the field."""
         return norm(self.constants, self.parts(row))
 
-    def trace(self, row: Sequence[fmpq]) -> Any:
+    def trace(self, row: Sequence[fmpq]) -> BaseNumber:
         """Return the reduced trace of an element, a number of the field."""
         return trace(self.constants, self.parts(row))
 
@@ -200,7 +204,7 @@ class AlgebraBasis:
         matrix = (self.right_matrix if side == "right" else self.left_matrix)(row.entries())
         return matrix * self.domain.fraction(1, den * self.scale)
 
-    def scalar(self, x: Any) -> fmpq_mat:
+    def scalar(self, x: BaseNumber) -> fmpq_mat:
         """Return the matrix of the multiplication by a number of the field."""
         row, den = self.base.coordinate_rows([x]).numer_denom()
         return self.scalar_matrix(row.entries()) * self.domain.fraction(1, den)
@@ -249,7 +253,7 @@ class AlgebraBasis:
     def _one(self) -> fmpq_mat:
         return self.base.coordinate_rows([self.base.field.one])
 
-    def number_norm(self, x: Any) -> fmpq:
+    def number_norm(self, x: BaseNumber) -> fmpq:
         """Return the norm of a number of the field down to ℚ."""
         row, den = self.base.coordinate_rows([x]).numer_denom()
         return self.domain.fraction(self.number_matrix(row.entries()).det(), den**self.degree)
@@ -274,7 +278,7 @@ class AlgebraBasis:
         columns = rows.transpose()
         return [rows * form * columns for form in self.norm_forms]
 
-    def form(self, c: Any) -> fmpq_mat:
+    def form(self, c: BaseNumber) -> fmpq_mat:
         """Return the matrix of the form ``Tr(c·tr(x·conj(y)))``, twice Tr(c·N(x)) for x = y."""
         base = self.base
         terms = [
@@ -329,17 +333,17 @@ class AlgebraBasis:
     # --- where the algebra ramifies ----------------------------------------------------------------
 
     @cached_property
-    def ramified(self) -> tuple[Any, ...]:
+    def ramified(self) -> tuple[Prime, ...]:
         """The primes at which the algebra ramifies. Raises :class:`UnfactoredError`."""
         return self.base.ramified_primes(self.constants)
 
     @cached_property
-    def discriminant(self) -> Any:
+    def discriminant(self) -> BaseIdeal:
         """The product of the prime ideals at which the algebra ramifies."""
         return math.prod(map(self.base.prime_ideal, self.ramified), start=self.base.one)
 
     @cached_property
-    def unit_discriminant(self) -> Any:
+    def unit_discriminant(self) -> BaseIdeal:
         """The reduced discriminant of the lattice of 1, I, J, IJ, an ideal: that of (t² + 4a)·b."""
         a, t, b = self.constants
         return self.base.principal((t * t + a * 4) * b)
@@ -364,7 +368,7 @@ class AlgebraBasis:
         return self.base.is_totally_real and len(self.split_places) == 1
 
 
-def _scaled(q: Sequence[Any], c: Any) -> tuple[Any, Any, Any, Any]:
+def _scaled(q: Sequence[int], c: BaseNumber) -> Quadruple[BaseNumber]:
     w, x, y, z = q
     return w * c, x * c, y * c, z * c
 
@@ -383,7 +387,7 @@ def combined(matrices: list[fmpz_mat], row: Sequence[int | fmpz]) -> fmpz_mat:
 
 
 @lru_cache(maxsize=256)
-def _basis_of(algebra: Any) -> AlgebraBasis:
+def _basis_of(algebra: Parent) -> AlgebraBasis:
     return AlgebraBasis(algebra, base_of(algebra.ring))
 
 
@@ -394,8 +398,7 @@ def basis_of(algebra: Parent) -> AlgebraBasis:
     """
     found: AlgebraBasis | None = vars(algebra).get("_basis")  # cached, since every lattice needs it
     if found is None:
-        known: Any = algebra
-        found = vars(algebra)["_basis"] = _basis_of(known)
+        found = vars(algebra)["_basis"] = _basis_of(algebra)
     return found
 
 

@@ -39,7 +39,7 @@ from hfield.errors import LatticeError
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
-from hfield.fields.rationals.whole_numbers import square_root
+from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import enumeration
 from hfield.orders.base import number_field_integers
 from hfield.orders.base_values import BaseIdeal, BaseNumber, ShownIdeal
@@ -368,8 +368,8 @@ class _Rational:
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation:
-        size = square_root(index(first, second))
-        if size is None or (size / between.norm).denominator != 1:
+        size = square_root(fraction(index(first, second)))
+        if size is None or (size / fraction(between.norm)).denominator != 1:
             return NORM, {}
         return ENUMERATION, {"between": _basis(between, self.ambient.base.inside(size))}
 

@@ -9,11 +9,13 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from fractions import Fraction
+from typing import TYPE_CHECKING, Protocol, TypeAlias, cast, overload
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.core.factorisation import remove
+from hfield.fields.function_fields.quotients import Quotient
 from hfield.orders import enumeration
 from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.polynomial_matrices import FractionMatrix, PolynomialMatrix, fractions
@@ -21,10 +23,45 @@ from hfield.orders.polynomial_vectors import PolynomialVectors
 from hfield.orders.residue_matrices import ResidueMatrix
 
 if TYPE_CHECKING:
-    from flint import fq_default_poly
+    from _typeshed import SupportsRichComparison
+    from flint import fq_default, fq_default_poly
 
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.finite.ring import ExtensionField
     from hfield.fields.function_fields.ring import FunctionField
+    from hfield.orders.base_values import (
+        Integer,
+        IntegerMatrix,
+        ModularMatrix,
+        Rational,
+        RationalMatrix,
+    )
+
+
+IntegerRows: TypeAlias = "IntegerMatrix | Sequence[Sequence[Integer]]"
+RationalRows: TypeAlias = "IntegerMatrix | Sequence[Sequence[Rational | Integer]]"
+Form: TypeAlias = "Sequence[Sequence[Integer]]"
+DegreeAndLabels: TypeAlias = tuple[int, tuple[int, ...]]
+"""A polynomial as it is sorted: its degree, and the labels of its coefficients from the highest on."""
+
+
+class VectorsOfForms(Protocol):
+    """Functions on the vectors of bounded length in a form that is definite, or anisotropic at infinity."""
+
+    def least_vectors(self, form: Form, /) -> tuple[int, Sequence[Sequence[Integer]]]:
+        """Return the least length of a vector, and those that have it up to sign."""
+
+    def short_vectors(
+        self, form: Form, bound: int, /
+    ) -> Iterator[tuple[Sequence[Integer], Integer]]:
+        """Yield one of ±x for every x ≠ 0 of at most a length, and its value."""
+
+    def vectors_of_length(
+        self, form: Form, value: Integer, expected: str | None = ..., /
+    ) -> Iterator[Sequence[Integer]]:
+        """Yield one of ±x for every x with a value."""
+
+    def volume(self, form: Form, value: Integer, rank: int, /) -> float:
+        """Return about how many vectors there are up to a value."""
 
 
 class EuclideanDomain(Protocol):
@@ -37,89 +74,101 @@ class EuclideanDomain(Protocol):
     form_factor: int
     """By which factor values of forms are larger than norms: 2 over ℤ, where forms are matrices of traces."""
 
-    def matrix(self, *shape: Any) -> Any:
-        """Return a matrix of rows, or of a shape and entries, as ``fmpz_mat`` does."""
+    @overload
+    def matrix(self, rows: IntegerRows, /) -> IntegerMatrix:
+        """Return a matrix of rows, as ``fmpz_mat`` does."""
 
-    def fraction_matrix(self, *shape: Any) -> Any:
+    @overload
+    def matrix(self, m: int, n: int, entries: Sequence[Integer] = ..., /) -> IntegerMatrix:
+        """Return a matrix of a shape and entries, which are 0 where none are given."""
+
+    @overload
+    def fraction_matrix(self, rows: RationalRows, /) -> RationalMatrix:
         """Return a matrix of fractions, as ``fmpq_mat`` does."""
 
-    def fraction(self, x: Any, den: Any = ..., /) -> Any:
+    @overload
+    def fraction_matrix(
+        self, m: int, n: int, entries: Sequence[Rational | Integer], /
+    ) -> RationalMatrix:
+        """Return a matrix of a shape and entries."""
+
+    def fraction(self, x: Rational | Integer, den: Integer = ..., /) -> Rational:
         """Return a fraction of a numerator and a denominator, as ``fmpq`` does."""
 
-    def integer(self, x: Any, /) -> Any:
+    def integer(self, x: Integer, /) -> Integer:
         """Return a number in the form that denominators have: an int over ℤ."""
 
-    def modular(self, rows: Any, p: Any, /) -> Any:
+    def modular(self, rows: IntegerRows, p: Integer, /) -> ModularMatrix:
         """Return a matrix modulo a prime, as ``nmod_mat`` does."""
 
     @property
-    def vectors(self) -> Any:
+    def vectors(self) -> VectorsOfForms:
         """Functions on vectors of bounded length in a form, as in :mod:`hfield.orders.enumeration`."""
 
-    def as_fraction(self, x: Any) -> Any:
+    def as_fraction(self, x: Rational | Integer) -> Rational:
         """Return a rational number, or an element of the field, as a fraction."""
 
-    def lcm(self, *numbers: Any) -> Any:
+    def lcm(self, *numbers: Integer) -> Integer:
         """Return the least common multiple."""
 
-    def content(self, numbers: Sequence[Any]) -> Any:
+    def content(self, numbers: Sequence[Integer]) -> Integer:
         """Return the greatest common divisor of a list."""
 
-    def quadratic(self, traces: list[Any], norms: list[Any]) -> list[Any]:
+    def quadratic(self, traces: list[IntegerMatrix], norms: list[Rational]) -> list[IntegerMatrix]:
         """Return matrices F with ``x·F·x`` = form_factor·N(x), by matrices of tr(x·conj(y)) and norms."""
 
-    def common_divisor(self, x: Any, numbers: Sequence[Any]) -> Any:
+    def common_divisor(self, x: Integer, numbers: Sequence[Integer]) -> Integer:
         """Return the greatest common divisor of a number and a list."""
 
-    def polar(self, form: Any) -> Any:
+    def polar(self, form: IntegerMatrix) -> IntegerMatrix:
         """Return the matrix of the symmetric bilinear form of a quadratic form that a matrix gives."""
 
-    def divided(self, matrix: Any, n: Any) -> Any:
+    def divided(self, matrix: IntegerMatrix, n: Integer) -> IntegerMatrix:
         """Return a matrix divided by a number that divides all entries."""
 
-    def length(self, value: Any) -> int:
+    def length(self, value: Rational | Integer) -> fmpq | int:
         """Return by what values of a definite form are compared."""
 
-    def reduced(self, form: Any) -> tuple[Any, Any]:
+    def reduced(self, form: IntegerMatrix) -> tuple[IntegerMatrix, IntegerMatrix]:
         """Return a definite form on a reduced basis, and the basis, one vector a row."""
 
-    def denominator(self, x: Any) -> Any:
+    def denominator(self, x: Rational) -> Integer:
         """Return the denominator of a fraction."""
 
-    def numerator(self, x: Any) -> Any:
+    def numerator(self, x: Rational) -> Integer:
         """Return the numerator of a fraction."""
 
-    def kernel(self, matrix: Any, p: Any) -> list[list[Any]]:
+    def kernel(self, matrix: IntegerRows, p: Integer) -> Sequence[Sequence[Integer]]:
         """Return a basis of the vectors v with row·v = 0 modulo a prime for every row."""
 
-    def inverse_modulo(self, x: Any, p: Any) -> Any:
+    def inverse_modulo(self, x: Integer, p: Integer) -> Integer:
         """Return the inverse modulo p of a number prime to p."""
 
-    def small_residue(self, x: Any, p: Any) -> Any:
+    def small_residue(self, x: Integer, p: Integer) -> Integer:
         """Return the least representative of a class modulo p."""
 
-    def remove(self, x: Any, p: Any) -> tuple[int, Any]:
+    def remove(self, x: Integer, p: Integer) -> tuple[int, Integer]:
         """Return the exponent of a prime in a number that is not 0, and the number without it."""
 
-    def random(self, rng: random.Random, modulus: Any) -> Any:
+    def random(self, rng: random.Random, modulus: Integer) -> Integer:
         """Return a random residue."""
 
-    def few_residues(self, p: Any) -> Iterable[Any]:
+    def few_residues(self, p: Integer) -> Iterable[Integer]:
         """Return up to three residues modulo p, 0 and 1 first."""
 
-    def small(self, size: int) -> Iterator[Any]:
+    def small(self, size: int) -> Iterator[Integer]:
         """Yield numbers of a size, the sizes 0, 1, 2, … exhaust all."""
 
-    def sort_key(self, numbers: Sequence[Any]) -> Any:
+    def sort_key(self, numbers: tuple[Integer, ...]) -> SupportsRichComparison:
         """Return what numbers of a tuple are sorted by."""
 
-    def pickled(self, x: Any) -> Any:
+    def pickled(self, x: Integer) -> int | tuple[int, ...]:
         """Return a number as plain data, which :attr:`integer` reads."""
 
-    def code(self, x: Any, /) -> int:
+    def code(self, x: Integer, /) -> int:
         """Return an integer that stands for a number, for packed storage."""
 
-    def decode(self, n: int, /) -> Any:
+    def decode(self, n: int, /) -> Integer:
         """Return the number that an integer stands for."""
 
 
@@ -140,15 +189,15 @@ class IntegerDomain:
     kernel = staticmethod(kernel)
     lcm = staticmethod(math.lcm)
 
-    def as_fraction(self, x: Any) -> fmpq:
+    def as_fraction(self, x: fmpq | Fraction | int) -> fmpq:
         """Return a rational number as flint's."""
         return fmpq(x.numerator, x.denominator)
 
-    def content(self, numbers: Sequence[Any]) -> Any:
+    def content(self, numbers: Sequence[int | fmpz]) -> fmpz:
         """Return the gcd of a list, as flint has it."""
         return fmpz_poly(numbers).content()
 
-    def common_divisor(self, x: int, numbers: Sequence[Any]) -> Any:
+    def common_divisor(self, x: int, numbers: Sequence[int | fmpz]) -> fmpz:
         """Return the gcd, which is soon 1."""
         found = fmpz(x)
         for n in numbers:
@@ -158,7 +207,7 @@ class IntegerDomain:
                 found = found.gcd(n)
         return found
 
-    def quadratic(self, traces: list[fmpz_mat], norms: list[Any]) -> list[fmpz_mat]:
+    def quadratic(self, traces: list[fmpz_mat], norms: list[fmpq]) -> list[fmpz_mat]:
         """Return the matrices of traces."""
         return traces
 
@@ -166,7 +215,7 @@ class IntegerDomain:
         """Return the matrix itself."""
         return form
 
-    def divided(self, matrix: fmpz_mat, n: Any) -> fmpz_mat:
+    def divided(self, matrix: fmpz_mat, n: int | fmpz) -> fmpz_mat:
         """Return an integer matrix divided by an integer that divides all entries."""
         if n == 1:
             return matrix
@@ -180,20 +229,20 @@ class IntegerDomain:
         """Return the numerator."""
         return int(x.p)
 
-    def inverse_modulo(self, x: Any, p: int) -> int:
+    def inverse_modulo(self, x: int | fmpz, p: int) -> int:
         """Return the inverse modulo p."""
         return pow(int(x), -1, p)
 
-    def small_residue(self, x: Any, p: int) -> int:
+    def small_residue(self, x: int | fmpz, p: int) -> int:
         """Return a representative between −p/2 and p/2."""
         c = int(x) % p
         return c if 2 * c < p else c - p
 
-    def remove(self, x: Any, p: int) -> tuple[int, int]:
+    def remove(self, x: int | fmpz, p: int) -> tuple[int, int]:
         """Return the exponent of p, and the rest."""
         return remove(int(x), p)
 
-    def length(self, value: Any) -> Any:
+    def length(self, value: fmpq | int) -> fmpq | int:
         """Return the value."""
         return value
 
@@ -214,11 +263,11 @@ class IntegerDomain:
         """Yield the numbers from −size to size."""
         return iter(range(-size, size + 1))
 
-    def sort_key(self, numbers: Sequence[Any]) -> Any:
+    def sort_key(self, numbers: tuple[int, ...]) -> tuple[int, ...]:
         """Return the numbers."""
         return numbers
 
-    def pickled(self, x: Any) -> int:
+    def pickled(self, x: int | fmpz) -> int:
         """Return an int."""
         return int(x)
 
@@ -232,14 +281,14 @@ class PolynomialDomain:
     form_factor = 1
 
     def __init__(self, field: FunctionField) -> None:
-        constants: Any = field.base  # an extension field of degree 1 or more
+        constants = cast("ExtensionField", field.base)  # of degree 1 or more
         self.field, self.constants = field, constants
         self.zero, self.one = field.zero.num, field.one.num
         self.symbol = f"{constants.name}[{field.gen_name}]"
         self.latex = rf"\mathbb{{F}}_{{{constants.order}}}[{field.gen_name}]"
         self.vectors = PolynomialVectors(self)
 
-    def integer(self, x: Any) -> fq_default_poly:
+    def integer(self, x: int | tuple[int, ...] | fq_default_poly) -> fq_default_poly:
         """Return an int, a tuple as :meth:`pickled` makes it, or a polynomial as a polynomial."""
         if isinstance(x, int):
             return self.one * x
@@ -253,7 +302,7 @@ class PolynomialDomain:
             found = found * t + self.constant(self.constants.from_label(label))
         return found
 
-    def constant(self, c: Any) -> fq_default_poly:
+    def constant(self, c: fq_default) -> fq_default_poly:
         """Return an element of GF(q) as a polynomial."""
         return self.field.constant(c).num
 
@@ -261,54 +310,68 @@ class PolynomialDomain:
         """Return the labels of the coefficients, low degree first."""
         return tuple(self.constants.label(c) for c in x.coeffs())
 
-    def matrix(self, *shape: Any) -> PolynomialMatrix:
+    @overload
+    def matrix(self, rows: IntegerRows, /) -> PolynomialMatrix: ...
+
+    @overload
+    def matrix(self, m: int, n: int, entries: Sequence[Integer] = ..., /) -> PolynomialMatrix: ...
+
+    def matrix(
+        self, given: IntegerRows | int, n: int = 0, entries: Sequence[Integer] | None = None, /
+    ) -> PolynomialMatrix:
         """Return a matrix given by rows, or by a shape and entries, as ``fmpz_mat`` takes them."""
-        if len(shape) == 1:
-            (given,) = shape
-            if isinstance(given, PolynomialMatrix):
-                return given
-            rows = [list(row) for row in given]
-            columns = len(rows[0]) if rows else 0
-            return PolynomialMatrix(
-                self, len(rows), columns, [self.integer(x) for row in rows for x in row]
-            )
-        m, n, *entries = shape
-        listed = [self.integer(x) for x in entries[0]] if entries else [self.zero] * (m * n)
-        return PolynomialMatrix(self, m, n, listed)
+        if isinstance(given, PolynomialMatrix):
+            return given
+        if isinstance(given, int):
+            listed = [self.zero] * (given * n) if entries is None else map(self.integer, entries)
+            return PolynomialMatrix(self, given, n, list(listed))
+        rows = [list(row) for row in given]
+        columns = len(rows[0]) if rows else 0
+        return PolynomialMatrix(
+            self, len(rows), columns, [self.integer(x) for row in rows for x in row]
+        )
 
-    def fraction_matrix(self, *shape: Any) -> FractionMatrix:
+    @overload
+    def fraction_matrix(self, rows: RationalRows, /) -> FractionMatrix: ...
+
+    @overload
+    def fraction_matrix(
+        self, m: int, n: int, entries: Sequence[Rational | Integer], /
+    ) -> FractionMatrix: ...
+
+    def fraction_matrix(
+        self, given: RationalRows | int, n: int = 0, entries: Sequence[Rational | Integer] = (), /
+    ) -> FractionMatrix:
         """Return a matrix of fractions, given in the same ways."""
-        if len(shape) == 1:
-            (given,) = shape
-            if isinstance(given, PolynomialMatrix):
-                return FractionMatrix(given, self.one)
-            return fractions(self, given)
-        _, n, entries = shape
-        return fractions(self, [entries[k : k + n] for k in range(0, len(entries), n)])
+        if isinstance(given, PolynomialMatrix):
+            return FractionMatrix(given, self.one)
+        if isinstance(given, int):
+            return fractions(self, [entries[k : k + n] for k in range(0, len(entries), n)])
+        return fractions(self, given)
 
-    def fraction(self, x: Any, den: Any = None) -> Quotient:
+    def fraction(self, x: Rational | Integer, den: Integer | None = None) -> Quotient:
         """Return x/den as an element of the field."""
         num = self.as_fraction(x)
         return num if den is None else num / self.as_fraction(den)
 
-    def as_fraction(self, x: Any) -> Quotient:
+    def as_fraction(self, x: Rational | Integer) -> Quotient:
         """Return a number, a polynomial or an element of the field as one of the field."""
         if isinstance(x, int):
             return self.field(x)
-        if hasattr(x, "num"):
-            return x  # type: ignore[no-any-return]
+        if isinstance(x, Quotient):
+            return x
         return self.field.quotient(x, self.one)
 
-    def modular(self, rows: Any, p: fq_default_poly) -> ResidueMatrix:
+    def modular(self, rows: IntegerRows, p: fq_default_poly) -> ResidueMatrix:
         """Return a matrix modulo a prime."""
         table = rows.tolist() if isinstance(rows, PolynomialMatrix) else rows
         return ResidueMatrix(self, [[self.integer(x) % p for x in row] for row in table], p)
 
-    def kernel(self, matrix: Any, p: fq_default_poly) -> list[list[Any]]:
+    def kernel(self, matrix: IntegerRows, p: fq_default_poly) -> list[list[fq_default_poly]]:
         """Return a basis of the vectors v with row·v = 0 modulo a prime for every row."""
         return self.modular(matrix, p).kernel()
 
-    def lcm(self, *numbers: Any) -> fq_default_poly:
+    def lcm(self, *numbers: Integer) -> fq_default_poly:
         """Return the monic least common multiple."""
         found = self.one
         for x in map(self.integer, numbers):
@@ -319,7 +382,7 @@ class PolynomialDomain:
         """Return x over its leading coefficient."""
         return x.monic() if x else x
 
-    def content(self, numbers: Iterable[Any]) -> fq_default_poly:
+    def content(self, numbers: Iterable[fq_default_poly]) -> fq_default_poly:
         """Return the monic gcd of a list."""
         found = self.zero
         for x in numbers:
@@ -328,7 +391,9 @@ class PolynomialDomain:
                 break
         return found
 
-    def common_divisor(self, x: Any, numbers: Sequence[Any]) -> fq_default_poly:
+    def common_divisor(
+        self, x: fq_default_poly, numbers: Sequence[fq_default_poly]
+    ) -> fq_default_poly:
         """Return the monic gcd."""
         return self.content([x, *numbers])
 
@@ -348,7 +413,7 @@ class PolynomialDomain:
         """Return the sum of a matrix and its transpose."""
         return form + form.transpose()
 
-    def divided(self, matrix: PolynomialMatrix, n: Any) -> PolynomialMatrix:
+    def divided(self, matrix: PolynomialMatrix, n: fq_default_poly) -> PolynomialMatrix:
         """Return a matrix divided by a polynomial that divides all entries."""
         if n == self.one:
             return matrix
@@ -356,7 +421,7 @@ class PolynomialDomain:
             self, matrix.nrows(), matrix.ncols(), [x // n for x in matrix.entries()]
         )
 
-    def length(self, value: Any) -> int:
+    def length(self, value: Rational | Integer) -> int:
         """Return the degree of a polynomial or a fraction."""
         x = self.as_fraction(value)
         return int(x.num.degree() - x.den.degree())
@@ -373,15 +438,15 @@ class PolynomialDomain:
         """Return the numerator."""
         return x.num
 
-    def inverse_modulo(self, x: Any, p: fq_default_poly) -> fq_default_poly:
+    def inverse_modulo(self, x: Integer, p: fq_default_poly) -> fq_default_poly:
         """Return the inverse modulo p."""
         return self.integer(x).inverse_mod(p)
 
-    def small_residue(self, x: Any, p: fq_default_poly) -> fq_default_poly:
+    def small_residue(self, x: fq_default_poly, p: fq_default_poly) -> fq_default_poly:
         """Return the rest modulo p."""
         return x % p
 
-    def remove(self, x: Any, p: fq_default_poly) -> tuple[int, fq_default_poly]:
+    def remove(self, x: Integer, p: fq_default_poly) -> tuple[int, fq_default_poly]:
         """Return the exponent of p, and the rest."""
         n, x = 0, self.integer(x)
         while True:
@@ -427,7 +492,7 @@ class PolynomialDomain:
             labels.append(c)
         return self._polynomial(labels)
 
-    def sort_key(self, numbers: Sequence[Any]) -> tuple[Any, ...]:
+    def sort_key(self, numbers: tuple[fq_default_poly, ...]) -> tuple[DegreeAndLabels, ...]:
         """Return degrees and coefficients."""
         return tuple((x.degree(), self.pickled(x)[::-1]) for x in numbers)
 
@@ -435,7 +500,7 @@ class PolynomialDomain:
 INTEGRAL = (fmpz_mat, fmpq_mat)
 
 
-def domain_of(matrix: Any) -> EuclideanDomain:
+def domain_of(matrix: IntegerMatrix | RationalMatrix) -> EuclideanDomain:
     """Return the domain of a matrix."""
     found: EuclideanDomain = INTEGERS if isinstance(matrix, INTEGRAL) else matrix.domain
     return found

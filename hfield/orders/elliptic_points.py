@@ -74,7 +74,7 @@ class _Rotations:
         self.base = number_field_integers(ambient.base)
         several = [P for P, e in self.base.principal(self.d).factorisation() if e > 1]
         self.level = dict(ambient.base.factorisation(level(order)))
-        primes = [*ambient.ramified, *self.level, *map(ambient.base.prime, several)]
+        primes = map(self.base.prime, [*ambient.ramified, *self.level, *several])
         self.primes = {P: _LocalField(ambient, P, self.d) for P in primes}
 
     def count(self, larger: list[_Rotations]) -> int:
@@ -84,7 +84,7 @@ class _Rotations:
         for exponents in product(*ranges):
             conductor = dict(zip(self.primes, exponents, strict=True))
             if not any(x._contains(conductor) for x in larger):
-                total += prod(self._local(P, k) for P, k in conductor.items())
+                total += prod((self._local(P, k) for P, k in conductor.items()), start=Fraction(1))
         if not total:
             return 0
         found = 2 * self.q * total * relative_class_number(self.base.field, self.q, self.d)

@@ -21,6 +21,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import factor
 from hfield.core.primality import is_prime, is_probable_prime
 from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import enumeration, hermite
 from hfield.orders.allowed_norms import AllowedNorms, Divisors, Powers
 from hfield.orders.ideals_of_norm import two_sided_prime
@@ -266,7 +267,7 @@ def _among_short(ideal: LatticeValue, number: int, most: int) -> tuple[Quaternio
 def _of_smooth_norm(
     ideal: LatticeValue, order: LatticeValue, divisors: Divisors, rng: random.Random
 ) -> Quaternion | None:
-    p = int(discriminant(order))
+    p = order.ambient.base.absolute_norm(discriminant(order))
     x, tried = _by_enumeration(ideal, divisors, p)
     if x is None and divisors.product > tried:
         x = _klpt(ideal, order, divisors, rng)
@@ -294,7 +295,7 @@ def _by_enumeration(
         if heads > MAX_HEADS or spent > 10 * MAX_HEADS:
             break
         spent += heads
-        row = first_of_norm(ideal, ideal.ambient.base.inside(ideal.norm * n))
+        row = first_of_norm(ideal, ideal.ambient.base.inside(fraction(ideal.norm) * n))
         if row is not None:
             return ideal.element(hermite.tuples(row)[0]), n
         tried = n
@@ -331,7 +332,7 @@ def _by_representing(
 
 def _needed_bits(ideal: LatticeValue, order: LatticeValue) -> int:
     """Return about how many bits T has for which KLPT is likely to succeed."""
-    p = int(discriminant(order))
+    p = order.ambient.base.absolute_norm(discriminant(order))
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
     norm = max(math.isqrt(p), 3) if f is None else max(int(least_norm(ideal)), math.isqrt(p), 3)
     slack = 18 + p.bit_length().bit_length() + (4 if f is None else (-f.discriminant).bit_length())

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Self
+from typing import Self
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
@@ -109,7 +109,7 @@ class LatticeValue:
         return [hermite.divided(form, self.ambient.scale * self.den**2) for form in self.forms]
 
     @cached_property
-    def norm(self) -> Any:
+    def norm(self) -> BaseIdeal:
         """The ideal that the reduced norms of the elements generate; over ℤ their gcd."""
         return self.ambient.kernels.norm(self.ambient, self.forms, self.content, self.den)
 
@@ -184,7 +184,7 @@ class LatticeValue:
         return den, steps * rows, list(map(list, hermite.tuples(reduced)))
 
     @cached_property
-    def volume(self) -> Any:
+    def volume(self) -> BaseIdeal:
         """The index ideal of the lattice in that of 1, I, J, IJ; fractional where it is not inside."""
         return self.ambient.kernels.volume(self.ambient, self.matrix, self.den)
 
@@ -416,12 +416,12 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
     return ideal.ambient.kernels.is_locally_principal(ideal, order)
 
 
-def index(lattice: LatticeValue, other: LatticeValue) -> Any:
+def index(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
     """Return the index ideal of the other lattice in this one (Voight, section 9.6)."""
     return other.volume / lattice.volume
 
 
-def scalars_into(lattice: LatticeValue, other: LatticeValue) -> Any:
+def scalars_into(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
     """Return the ideal of the x of the field with x·L in the other lattice."""
     ambient = lattice.ambient
     images = [(lattice.rows * m * other.inverse_rows).entries() for m in ambient.scalars]
@@ -430,7 +430,7 @@ def scalars_into(lattice: LatticeValue, other: LatticeValue) -> Any:
     return ambient.base.ideal_spanned(rows.entries(), below)
 
 
-def discriminant(order: LatticeValue) -> Any:
+def discriminant(order: LatticeValue) -> BaseIdeal:
     """Return the reduced discriminant of an order, an ideal."""
     return order.ambient.unit_discriminant * order.volume
 

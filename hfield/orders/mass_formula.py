@@ -82,7 +82,8 @@ def class_number_by_formula(order: LatticeValue) -> int | None:
     base = order.ambient.base
     if not base.is_rational:
         return None
-    return class_number(order.ambient.discriminant, base.absolute_norm(level(order)))
+    discriminant, n = map(base.absolute_norm, (order.ambient.discriminant, level(order)))
+    return class_number(discriminant, n)
 
 
 def _roots(d: int, p: int, e: int) -> int:

@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from itertools import count, islice, product
-from typing import Any
+from typing import TYPE_CHECKING
 
 from flint import fmpq_mat, fmpz_mat
 
@@ -29,6 +29,9 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.lattice_values import product as lattice_product
+
+if TYPE_CHECKING:
+    from _typeshed import SupportsRichComparison
 
 Vector = Sequence[int]
 Line = tuple[int, Vector]
@@ -89,8 +92,8 @@ class OrderAtPrime:
         """Return the coordinates of a residue over the prime field."""
         return self.base.digits(self.prime, residue)
 
-    def _sort_key(self, residue: Residue) -> tuple[Any, ...]:
-        return tuple(self.domain.sort_key(self.digits(residue)))
+    def _sort_key(self, residue: Residue) -> SupportsRichComparison:
+        return self.domain.sort_key(tuple(self.digits(residue)))
 
     def lift(self, residue: Residue) -> BaseNumber:
         """Return an integer of the field with a given residue."""

@@ -17,7 +17,7 @@ from flint import fmpq_mat, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import Factors, factorise, known_primes
 from hfield.errors import LatticeError, shorten
-from hfield.fields.rationals.whole_numbers import crt
+from hfield.fields.rationals.whole_numbers import crt, fraction
 from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, coordinates, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
@@ -92,7 +92,7 @@ class ResidueMatrices:
 
     def __init__(self, order: Order, modulus: object, factors: Factors | None = None) -> None:
         self.order, self.modulus = order, positive(modulus, "modulus")
-        common = math.gcd(self.modulus, int(discriminant(order.value)))
+        common = math.gcd(self.modulus, int(fraction(discriminant(order.value))))
         if common > 1:
             raise LatticeError(
                 f"the modulus {shorten(self.modulus)} and the discriminant of the order have the factor "

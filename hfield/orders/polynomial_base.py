@@ -311,8 +311,7 @@ class PolynomialBase:
     # --- what a user sees ----------------------------------------------------------------------------
 
     def shown_norm(self, lattice: LatticeValue) -> PolynomialIdeal:
-        found: PolynomialIdeal = lattice.norm
-        return found
+        return self.ideal(lattice.norm)
 
     def shown_index(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
         return ideal

@@ -7,16 +7,17 @@ polynomials over GF(q), ``fq_default_poly``, but no matrices of them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias, overload
 
 from hfield.fields.function_fields.quotients import Quotient
 
 if TYPE_CHECKING:
     from flint import fq_default_poly
 
+    from hfield.orders.base_values import Integer, Rational
     from hfield.orders.domains import PolynomialDomain
 
-Row = list[Any]
+Row: TypeAlias = "list[fq_default_poly]"
 
 
 class PolynomialMatrix:
@@ -67,7 +68,15 @@ class PolynomialMatrix:
     def __neg__(self) -> PolynomialMatrix:
         return self._like([-x for x in self._entries])
 
-    def __mul__(self, other: Any) -> Any:
+    @overload
+    def __mul__(self, other: FractionMatrix | Quotient) -> FractionMatrix: ...
+
+    @overload
+    def __mul__(self, other: PolynomialMatrix | fq_default_poly | int) -> PolynomialMatrix: ...
+
+    def __mul__(
+        self, other: PolynomialMatrix | FractionMatrix | Quotient | fq_default_poly | int
+    ) -> PolynomialMatrix | FractionMatrix:
         """Return the product with a matrix, or with a number, which may be a fraction."""
         if isinstance(other, FractionMatrix):
             return FractionMatrix(self * other.numerators, other.denominator)
@@ -180,12 +189,12 @@ class FractionMatrix:
         """Return the number of columns."""
         return self.numerators.ncols()
 
-    def entries(self) -> Row:
+    def entries(self) -> list[Quotient]:
         """Return all entries, row by row, as elements of the field."""
         num, den = self.numer_denom()
         return [self.domain.fraction(x, den) for x in num._entries]
 
-    def tolist(self) -> list[Row]:
+    def tolist(self) -> list[list[Quotient]]:
         """Return the rows."""
         n, entries = self.ncols(), self.entries()
         return [entries[k * n : (k + 1) * n] for k in range(self.nrows())]
@@ -208,7 +217,9 @@ class FractionMatrix:
     def __neg__(self) -> FractionMatrix:
         return FractionMatrix(-self.numerators, self.denominator)
 
-    def __mul__(self, other: Any) -> FractionMatrix:
+    def __mul__(
+        self, other: PolynomialMatrix | FractionMatrix | Quotient | fq_default_poly | int
+    ) -> FractionMatrix:
         """Return the product with a matrix, or with a number."""
         if isinstance(other, FractionMatrix):
             den = self.denominator * other.denominator
@@ -227,7 +238,9 @@ class FractionMatrix:
         return found
 
 
-def fractions(domain: PolynomialDomain, rows: Iterable[Sequence[Any]]) -> FractionMatrix:
+def fractions(
+    domain: PolynomialDomain, rows: Iterable[Sequence[Rational | Integer]]
+) -> FractionMatrix:
     """Return rows of rational functions as a matrix."""
     table = [list(map(domain.as_fraction, row)) for row in rows]
     den = domain.lcm(*(x.den for row in table for x in row))
@@ -236,7 +249,7 @@ def fractions(domain: PolynomialDomain, rows: Iterable[Sequence[Any]]) -> Fracti
     return FractionMatrix(PolynomialMatrix(domain, len(table), columns, entries), den)
 
 
-def _subtract(row: Row, other: Row, factor: Any, start: int) -> None:
+def _subtract(row: Row, other: Row, factor: fq_default_poly, start: int) -> None:
     """Take a multiple of another row off, from a column on."""
     if factor:
         for k in range(start, len(row)):
@@ -269,7 +282,9 @@ def _monic(row: Row, k: int) -> Row:
     return [x * inverse for x in row]
 
 
-def _eliminated(rows: list[Row], size: int, one: Any) -> tuple[Any, list[Row]]:
+def _eliminated(
+    rows: list[Row], size: int, one: fq_default_poly
+) -> tuple[fq_default_poly, list[Row]]:
     """Make the first columns of rows d times the identity, without fractions (Bareiss); return d too."""
     before = one
     for k in range(size):

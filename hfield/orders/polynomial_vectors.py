@@ -11,18 +11,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield.errors import TooLargeError
 from hfield.orders.polynomial_matrices import PolynomialMatrix
 
 if TYPE_CHECKING:
+    from flint import fq_default, fq_default_poly
+
     from hfield.orders.domains import PolynomialDomain
 
 MAX_VECTORS = 10**7
 """The largest number of vectors that are run through."""
-Form = Sequence[Sequence[Any]]
-Vector = tuple[Any, ...]
+Form: TypeAlias = "Sequence[Sequence[fq_default_poly]]"
+Vector: TypeAlias = "tuple[fq_default_poly, ...]"
 
 
 class PolynomialVectors:
@@ -50,7 +52,9 @@ class PolynomialVectors:
                     row[k] = row[k] - factor * row[m]
         return domain.matrix(rows), domain.matrix(change)
 
-    def _relation(self, form: list[list[Any]]) -> tuple[int, list[tuple[int, Any]]] | None:
+    def _relation(
+        self, form: list[list[fq_default_poly]]
+    ) -> tuple[int, list[tuple[int, fq_default]]] | None:
         """Return a vector whose leading term is a combination of those of others, which are not longer."""
         degrees = [row[k].degree() for k, row in enumerate(form)]
         for parity in (0, 1):
@@ -66,16 +70,16 @@ class PolynomialVectors:
         return None
 
     def _combination(
-        self, form: list[list[Any]], degrees: list[int], k: int, kept: list[int]
-    ) -> list[tuple[int, Any]] | None:
+        self, form: list[list[fq_default_poly]], degrees: list[int], k: int, kept: list[int]
+    ) -> list[tuple[int, fq_default]] | None:
         """Return the coefficients of a leading term in others, or None where it is independent of them."""
         if not kept:
             return None
 
-        def lead(m: int) -> Any:
+        def lead(m: int) -> fq_default:
             return form[m][m].leading_coefficient()
 
-        def pairing(m: int, n: int) -> Any:
+        def pairing(m: int, n: int) -> fq_default:
             degree = (degrees[m] + degrees[n]) // 2
             return form[m][n][degree] + form[n][m][degree]
 
@@ -124,19 +128,19 @@ class PolynomialVectors:
         """Return how many vectors have values of at most a degree."""
         return int(self._field.order ** self.dimension(form, degree))
 
-    def volume(self, form: Form, value: Any, rank: int) -> float:
+    def volume(self, form: Form, value: fq_default_poly, rank: int) -> float:
         """Return how many vectors have values of at most the degree of a value."""
         return float(self.number(form, value.degree()))
 
     def vectors_of_length(
-        self, form: Form, value: Any, expected: str | None = None
+        self, form: Form, value: fq_default_poly, expected: str | None = None
     ) -> Iterator[Vector]:
         """Yield one of ±x for every x with a value that is not 0."""
         for x, found in self.short_vectors(form, value.degree()):
             if found == value:
                 yield x
 
-    def short_vectors(self, form: Form, degree: int) -> Iterator[tuple[Vector, Any]]:
+    def short_vectors(self, form: Form, degree: int) -> Iterator[tuple[Vector, fq_default_poly]]:
         """Yield one of ±x for every x ≠ 0 with a value of at most a degree, and the value.
 
         Raises :class:`TooLargeError` for more than 10⁷ vectors.
@@ -173,7 +177,7 @@ class PolynomialVectors:
                 f"tried, and at most {MAX_VECTORS:.0e} are: expected a smaller q, or norms of smaller degree"
             )
 
-    def _is_positive(self, x: Any) -> bool:
+    def _is_positive(self, x: fq_default_poly) -> bool:
         """Tell x from −x, where they differ."""
         c = x.leading_coefficient()
         label = self._field.label

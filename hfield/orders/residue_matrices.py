@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     from flint import fq_default_poly
 
     from hfield.orders.domains import PolynomialDomain
 
-Rows = list[list[Any]]
+Rows: TypeAlias = "list[list[fq_default_poly]]"
 
 
 class ResidueMatrix:
@@ -37,7 +37,7 @@ class ResidueMatrix:
     def __getitem__(self, place: tuple[int, int]) -> fq_default_poly:
         return self.rows[place[0]][place[1]]
 
-    def __mul__(self, other: Any) -> ResidueMatrix:
+    def __mul__(self, other: ResidueMatrix | fq_default_poly | int) -> ResidueMatrix:
         """Return the product with a matrix or a polynomial."""
         p, zero = self.p, self.domain.zero
         if not isinstance(other, ResidueMatrix):

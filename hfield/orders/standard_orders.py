@@ -8,7 +8,6 @@ Petit and Tignol, 2014, section 2.3).
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
 
 from flint import fmpz_mat
 
@@ -50,7 +49,6 @@ def eichler_order(algebra: Parent, level: object) -> LatticeValue:
 
     The level is a number, an ideal of the base, or pairs (prime, exponent). Raises :class:`LatticeError`.
     """
-    known: Any = algebra
     base = basis_of(algebra).base
     ideal = read_level(base, level)
     common = [P for P, _ in base.factorisation(ideal) if P in basis_of(algebra).ramified]
@@ -59,7 +57,7 @@ def eichler_order(algebra: Parent, level: object) -> LatticeValue:
             f"the level {base.ideal_text(ideal)} and the discriminant of {shorten(algebra)} have the prime "
             f"{common[0]} in common: Eichler orders have a level prime to the discriminant"
         )
-    order = _maximal(known)
+    order = _maximal(algebra)
     return order if ideal == 1 else eichler_suborder(order, ideal)
 
 
@@ -112,9 +110,10 @@ def class_number(algebra: Parent, level: object) -> int:
     """Return the number of ideal classes of an Eichler order of the given level."""
     n = positive(level, "level")
     r = basis_of(algebra)
+    discriminant = int(fraction(r.discriminant))
     if r.definite:
-        return mass_formula.class_number(r.discriminant, n)
-    expect_coprime(n, r.discriminant)
+        return mass_formula.class_number(discriminant, n)
+    expect_coprime(n, discriminant)
     return 1  # strong approximation
 
 
@@ -148,7 +147,7 @@ def extremal_order(algebra: Parent, q: object = None) -> LatticeValue:
         raise LatticeError(
             f"{algebra} has no p-extremal order: expected a definite algebra over QQ of prime discriminant"
         )
-    (p,) = r.ramified
+    p = r.base.absolute_norm(r.discriminant)
     size = quadratic_part(p) if q is None else positive(q, "number q of a p-extremal order")
     if q is not None:
         _expect_fitting(size, p)

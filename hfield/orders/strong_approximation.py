@@ -20,7 +20,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import factor
 from hfield.core.primality import is_probable_prime
 from hfield.errors import LatticeError, UndecidedError, shorten
-from hfield.fields.rationals.whole_numbers import sqrt_mod
+from hfield.fields.rationals.whole_numbers import fraction, sqrt_mod
 from hfield.orders import hermite
 from hfield.orders.allowed_norms import Divisors
 from hfield.orders.invariants import level
@@ -50,7 +50,7 @@ def expect_maximal(order: LatticeValue, what: str) -> int:
             f"{what} is for ideals of maximal orders, and this order has level {shorten(level(order))}: "
             "maximal_overorder() contains it"
         )
-    return int(discriminant(order))
+    return int(fraction(discriminant(order)))
 
 
 def expect_frame(order: LatticeValue, what: str) -> QuadraticFrame:
@@ -77,7 +77,7 @@ def mod_constraint(
     """
     what = "ideal_mod_constraint()" if delta is None else "eichler_mod_constraint()"
     f = expect_frame(order, what)
-    norm = ideal.norm
+    norm = fraction(ideal.norm)
     if norm.denominator != 1 or not is_probable_prime(int(norm)) or not includes(order, ideal):
         raise LatticeError(
             f"{what} is for integral ideals of prime norm, and this norm is {shorten(norm)}: "

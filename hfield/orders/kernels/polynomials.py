@@ -28,7 +28,7 @@ def theta_series(
     """Return {ν: r(ν)} for the norms ν of degree at most a bound, from a reduced basis."""
     domain = ambient.domain
     scale = domain.integer(ambient.scale * den**2)
-    degree = bound + scale.degree() - unit.degree()
+    degree = bound + int(domain.length(scale) - domain.length(unit))
     signs = len(dict.fromkeys([domain.integer(1), domain.integer(-1)]))
     values = Counter(value for _, value in domain.vectors.short_vectors(gram, degree))
     counts: dict[tuple[Integer, ...], int]
