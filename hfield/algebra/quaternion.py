@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
@@ -34,8 +34,10 @@ if TYPE_CHECKING:
     import numpy as np
     import sympy
 
+    from hfield.algebra.maps import Isomorphism
     from hfield.algebra.structure.elements.square_roots import RootCoordinates as Found
     from hfield.fields.base.arrays import Index
+    from hfield.orders.lattice import Order
 
 
 _blank: Any = object.__new__
@@ -81,6 +83,8 @@ class Parent(Protocol):
     def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
     def is_central_simple(self) -> bool: ...  # noqa: D102
+    def isomorphism(self, other: Parent) -> Isomorphism | None: ...  # noqa: D102
+    def order_from_basis(self, elements: Iterable[object]) -> Order: ...  # noqa: D102
     def polynomials(self, name: str = ...) -> Any: ...  # noqa: D102
     def to_matrix(self, q: Quaternion) -> Any: ...  # noqa: D102
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from typing import Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, NoReturn, TypeAlias, TypeVar
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import HFieldError, LatticeError, MixedParentsError, NotationError, shorten
@@ -20,6 +20,10 @@ from hfield.orders.lattice import Ideal, Lattice, Order
 from hfield.syntax.other_systems import RATIONALS, SIDES, pari_scale
 from hfield.syntax.parts import Part
 from hfield.syntax.products import MAX_DEPTH
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+    from hfield.orders.base_values import BaseNumber
 
 _SAGE_ALGEBRA = (
     r"Quaternion Algebra \((?P<constants>.*?)\) with base ring (?:Rational Field|"
@@ -46,10 +50,12 @@ _NUMBERS = re.compile(r"[-0-9/,\s]+")
 _MATRIX = re.compile(r"(?:\[[^][,;]*\]\s*)+")
 _ORDERS = ("QuaternionOrder", "Order")
 T = TypeVar("T")
+Value: TypeAlias = "Quaternion | Lattice | list[Value]"
+"""An element, a lattice, an order or an ideal, or a list of lattices."""
 _MAGMA_NAME = re.compile(r"(?<![\w.])([A-Za-z]\w*)\.([1-9])(?![\w.])")
 
 
-def read(algebra: Any, text: object) -> Any:
+def read(algebra: QuaternionAlgebra, text: object) -> Value:
     """Read an element, a lattice, an order, an ideal or a list of these in an algebra.
 
     Raises :class:`NotationError` with the position of what cannot be read, and :class:`MixedParentsError` for
@@ -61,7 +67,7 @@ def read(algebra: Any, text: object) -> Any:
 
 
 class _Reader:
-    def __init__(self, algebra: Any) -> None:
+    def __init__(self, algebra: QuaternionAlgebra) -> None:
         self.algebra = algebra
         self.base_is_extended = hasattr(algebra.ring, "polynomial")
         self.fields: set[str] = set()
@@ -72,7 +78,7 @@ class _Reader:
         self._orders: dict[str, Order] = {}
         self._depth = 0
 
-    def read(self, whole: Part) -> Any:
+    def read(self, whole: Part) -> Value:
         if not whole.text:
             whole.fail("an empty text: expected an element, a lattice, an order or an ideal")
         *statements, body = [part for part in whole.split(";") if part.text] or [whole]
@@ -129,10 +135,11 @@ class _Reader:
     def _check_field(self, part: Part, polynomial: str) -> None:
         """Raise :class:`MixedParentsError` unless the field of the algebra is that of a polynomial in s."""
         try:
-            theirs: Any = ring(f"QQ[s]/({polynomial})")
+            theirs = ring(f"QQ[s]/({polynomial})")
         except HFieldError as error:
             part.fail(f"{part} is not a number field: {error}")
-        if not self.base_is_extended or theirs.polynomial != self.algebra.ring.polynomial:
+        own = getattr(self.algebra.ring, "polynomial", None)
+        if own is None or own != getattr(theirs, "polynomial", None):
             self._foreign(part, f"the field {theirs.name}")
 
     def _call_generator(self, letter: Part) -> None:
@@ -184,12 +191,12 @@ class _Reader:
                 self._foreign(part, f"an algebra over {name}")
         a, b = map(self._scalar, constants)
         if a != A.constants.a or b != A.constants.b or not A.ring.is_zero(A.constants.t):
-            a, b = constants
-            self._foreign(part, f"({a},{b}|{name or 'K'})")
+            first, second = constants
+            self._foreign(part, f"({first},{second}|{name or 'K'})")
 
     # --- values ------------------------------------------------------------------------------------
 
-    def value(self, part: Part) -> Any:
+    def value(self, part: Part) -> Value:
         """Read a value of any kind."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
@@ -198,12 +205,12 @@ class _Reader:
         self._depth -= 1
         return found
 
-    def _value(self, part: Part) -> Any:
+    def _value(self, part: Part) -> Value:
         defined = self.definitions.pop(part.text, None)  # not by itself
         if defined is not None:
-            found = self.value(defined)
+            value = self.value(defined)
             self.definitions[part.text] = defined
-            return found
+            return value
         for read_one in (
             self._printed_by_sage,
             self._pari_column,
@@ -265,7 +272,7 @@ class _Reader:
             return None
         return self._lattice(part, (self._coordinates(line, _entries(line)) for line in lines))
 
-    def _list(self, part: Part) -> Any:
+    def _list(self, part: Part) -> Value | None:
         """Read a list: four coordinates, elements that span a lattice, or lattices."""
         inside = part.inside() or part.inside("(")
         if inside is None:
@@ -275,17 +282,17 @@ class _Reader:
             return None  # parentheses of an expression
         if not inside.text:
             part.fail("an empty list: expected coordinates, elements or lattices")
-        values: list[Any] = [self._kept_order(x) or self.value(x) for x in parts]
-        elements = [isinstance(x, Quaternion) for x in values]
-        if not all(elements):
-            if any(elements):
-                parts[elements.index(True)].fail("an element in a list of lattices")
+        values: list[Value] = [self._kept_order(x) or self.value(x) for x in parts]
+        elements = [x for x in values if isinstance(x, Quaternion)]
+        if not elements:
             return values
-        if all(q.vector_part.is_zero() for q in values):
+        if len(elements) < len(values):
+            parts[values.index(elements[0])].fail("an element in a list of lattices")
+        if all(q.vector_part.is_zero() for q in elements):
             return self._coordinates(part, parts)
-        return self._lattice(part, values)
+        return self._lattice(part, elements)
 
-    def _of_magma(self, part: Part) -> Any:
+    def _of_magma(self, part: Part) -> Value | None:
         found = part.match(_COERCED)
         if found is not None:
             self._check_algebra(found["algebra"])
@@ -303,7 +310,7 @@ class _Reader:
         }
         return self._made(part, lambda: make[side](elements))
 
-    def _call(self, part: Part) -> Any:
+    def _call(self, part: Part) -> Value | None:
         found = part.call()
         if found is None:
             return None
@@ -401,13 +408,15 @@ class _Reader:
         found: Quaternion = self.algebra(*map(self._scalar, entries))
         return found
 
-    def _scalar(self, part: Part) -> Any:
+    def _scalar(self, part: Part) -> BaseNumber:
         if _RATIONAL.fullmatch(part.text) and self.algebra.ring.characteristic == 0:
-            return self.algebra.ring(Fraction(part.text))  # faster than as an expression
+            number: BaseNumber = self.algebra.ring(Fraction(part.text))
+            return number  # faster than as an expression
         q = self._element(part)
         if not q.vector_part.is_zero():
             part.fail(f"expected a number of {self.algebra.ring.name}, found {part}")
-        return q.scalar_part
+        found: BaseNumber = q.scalar_part
+        return found
 
     def _element(self, part: Part, names: dict[str, Quaternion] | None = None) -> Quaternion:
         """Read an expression in i, j, k and the generator of the field."""
@@ -446,7 +455,7 @@ class _Reader:
         defined = self.definitions.get(prefix)
         if defined is None or not defined.text.startswith("QuaternionAlgebra") or number > 3:
             part.fail(f"{prefix}.{number} is not a generator that the text defines")
-        return self.algebra.basis[number]  # type: ignore[no-any-return]
+        return self.algebra.basis[number]
 
 
 def _entries(line: Part) -> list[Part]:

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, NotationError, UndecidedError, shorten
 from hfield.fields.rationals.ring import QQ
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders.basis import basis_of
 from hfield.orders.generated_orders import checked_ring
 from hfield.orders.invariants import is_eichler, level
@@ -69,7 +70,7 @@ def order_of_label(algebra: Parent, text: str) -> LatticeValue:
         raise NotationError(f"{error.reason}; {_EXPECTED}", text, error.position) from None
     except LatticeError as error:
         raise NotationError(f"{error}; {_EXPECTED}") from None
-    if not (form.is_definite() and form(1, 0, 0) > 0):
+    if not (form.is_definite() and fraction(form(1, 0, 0)) > 0):
         raise NotationError(
             f"{form} is not positive, and labels are positive forms: an indefinite Eichler order has the "
             "label D.N"
@@ -79,7 +80,7 @@ def order_of_label(algebra: Parent, text: str) -> LatticeValue:
     if onto is None:
         raise MixedParentsError(
             f"the order with the form {form} lies in an algebra of discriminant "
-            f"{order.algebra.discriminant()}, and {shorten(algebra)} has the discriminant "
+            f"{order.value.ambient.discriminant}, and {shorten(algebra)} has the discriminant "
             f"{ambient.discriminant}{' and is indefinite' * (not ambient.definite)}"
         )
     return checked_ring(spanned(algebra, [onto(q) for q in order.basis]))

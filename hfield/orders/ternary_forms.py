@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from flint import fmpz_mat
 
@@ -22,18 +22,25 @@ from hfield.fields.base.ring import Ring, WithIntegers
 from hfield.fields.names import ring as named_ring
 from hfield.fields.number_fields.ideals import integers
 from hfield.fields.rationals.ring import QQ
-from hfield.fields.rationals.whole_numbers import square_class, squarefree
+from hfield.fields.rationals.whole_numbers import fraction, square_class, squarefree
 from hfield.hints import FORM, Hinted
+from hfield.orders.basis import base_of
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import basis_modulo_numbers
 from hfield.orders.ternary_reduction import reduced_bases
 from hfield.verdicts import Verdict
 
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Parent
+    from hfield.orders.base_values import BaseNumber
+    from hfield.orders.lattice import Order
+
 Triple = tuple[Quaternion, Quaternion, Quaternion]
-Matrix = tuple[tuple[Any, Any, Any], ...]
+Row: TypeAlias = "tuple[BaseNumber, BaseNumber, BaseNumber]"
+Matrix: TypeAlias = "tuple[Row, ...]"
 
 
-class FormEquivalence(Verdict[Matrix]):
+class FormEquivalence(Verdict[tuple[Row, ...]]):
     """A verdict whose witness is the ``matrix`` M with f(v) = g(v·M), rows v; ``reason`` says why not.
 
     In an indefinite algebra a theorem may decide, and the matrix be missing.
@@ -69,14 +76,14 @@ class TernaryForm(Hinted):
     foreign_names = FORM
 
     def __init__(
-        self, ring: Ring, coefficients: Iterable[object], algebras: Callable[..., Any]
+        self, ring: Ring, coefficients: Iterable[object], algebras: Callable[..., Parent]
     ) -> None:
         if not (isinstance(ring, WithIntegers) and ring.characteristic == 0):
             raise RingError(
                 f"forms are over ℤ or the integers of a number field here, not over {ring.name}"
             )
         self.ring, self._algebras = ring, algebras
-        self.coefficients = tuple(map(ring, coefficients))
+        self.coefficients: tuple[BaseNumber, ...] = tuple(map(ring, coefficients))
         if len(self.coefficients) != 6:
             raise LatticeError(
                 "a ternary form has six coefficients, of x², y², z², yz, xz and xy; "
@@ -90,13 +97,14 @@ class TernaryForm(Hinted):
         if ring.is_zero(self.discriminant()):
             raise LatticeError(f"{self} is degenerate: its discriminant is 0")
 
-    def __call__(self, x: object, y: object, z: object) -> Any:
+    def __call__(self, x: object, y: object, z: object) -> BaseNumber:
         """Return the value at a vector."""
-        x, y, z = map(self.ring, (x, y, z))
+        u, v, w = map(self.ring, (x, y, z))
         a, b, c, r, s, t = self.coefficients
-        return a * x * x + b * y * y + c * z * z + r * y * z + s * x * z + t * x * y
+        value: BaseNumber = a * u * u + b * v * v + c * w * w + r * v * w + s * u * w + t * u * v
+        return value
 
-    def discriminant(self) -> Any:
+    def discriminant(self) -> BaseNumber:
         """Return the half-discriminant 4abc + rst − ar² − bs² − ct²; up to units that of the order."""
         a, b, c, r, s, t = self.coefficients
         return 4 * a * b * c + r * s * t - a * r * r - b * s * s - c * t * t
@@ -110,8 +118,8 @@ class TernaryForm(Hinted):
         """Tell whether the field is totally real and the form has no zero but 0 at any real place."""
         if self.ring != QQ:
             return bool(self.order().is_definite())
-        a, b, *_, t = self.coefficients
-        return bool(4 * a * b > t * t and a * self.discriminant() > 0)
+        a, b, *_, t = map(fraction, self.coefficients)
+        return 4 * a * b > t * t and a * self._sign > 0
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, TernaryForm):
@@ -163,23 +171,26 @@ class TernaryForm(Hinted):
 
         return pair(1, 2), pair(2, 0), pair(0, 1)
 
-    def _square_part(self, x: Any) -> Any:
+    def _square_part(self, x: BaseNumber) -> BaseNumber:
         """Return s with x/s² small: over ℚ a squarefree number, elsewhere integral."""
         if self.ring == QQ:
             m, *_ = squarefree(square_class(x))
-            return self.ring.sqrt(x / m)
-        return self.ring.one
+            root: BaseNumber | None = self.ring.sqrt(x / m)
+            assert root is not None, "a number over its class modulo squares is a square"
+            return root
+        one: BaseNumber = self.ring.one
+        return one
 
     @cached_property
     def _orthogonal(self) -> Matrix:
         """A basis of the space that is orthogonal for the form (Lagrange)."""
         F, gram = self.ring, self.gram_matrix()
 
-        def pairing(u: Sequence[Any], v: Sequence[Any]) -> Any:
+        def pairing(u: Sequence[BaseNumber], v: Sequence[BaseNumber]) -> BaseNumber:
             return sum((u[m] * gram[m][n] * v[n] for m, n in product(range(3), repeat=2)), F.zero)
 
         rest = [[F(int(m == n)) for n in range(3)] for m in range(3)]
-        found: list[list[Any]] = []
+        found: list[list[BaseNumber]] = []
         while rest:
             several = [(n, v) for n, v in enumerate(rest)]
             several += [(n, _added(v, u)) for n, v in enumerate(rest) for u in rest[:n]]
@@ -194,15 +205,14 @@ class TernaryForm(Hinted):
         """The elements of trace 0 dual to the three products; f is a multiple of their norm."""
         return dual_basis(self._clifford)[0]
 
-    def order(self) -> Any:
+    def order(self) -> Order:
         """Return the even Clifford algebra, an order with the discriminant of the form."""
         return self._order
 
     @cached_property
-    def _order(self) -> Any:
+    def _order(self) -> Order:
         i, j, k = self._clifford
-        A: Any = i.algebra
-        return A.order_from_basis([1, i, j, k])
+        return i.algebra.order_from_basis([1, i, j, k])
 
     # --- forms that are alike ----------------------------------------------------------------------
 
@@ -274,16 +284,19 @@ class TernaryForm(Hinted):
             out.append(TernaryForm(self.ring, [u * x for x in found.coefficients], self._algebras))
         return tuple(form.reduced() if self.ring == QQ else form for form in out)
 
-    def _reduced_bases(self) -> list[tuple[Any, tuple[int, ...]]]:
-        sign = 1 if self.discriminant() > 0 else -1
+    @property
+    def _sign(self) -> int:
+        """The sign of the discriminant of a form over ℤ."""
+        return 1 if fraction(self.discriminant()) > 0 else -1
+
+    def _reduced_bases(self) -> list[tuple[Sequence[Sequence[int]], tuple[int, ...]]]:
         if self.ring != QQ or not self.is_definite():
             raise IndefiniteError(
                 "forms are reduced, and automorphisms counted, where they are definite and over ℤ"
             )
-        gram = fmpz_mat([[sign * int(x) for x in row] for row in self.gram_matrix()]).lll(
-            rep="gram"
-        )
-        return list(reduced_bases([[int(x) for x in row] for row in gram.tolist()]))
+        gram = [[self._sign * int(fraction(x)) for x in row] for row in self.gram_matrix()]
+        reduced = fmpz_mat(gram).lll(rep="gram")
+        return list(reduced_bases([[int(x) for x in row] for row in reduced.tolist()]))
 
     def reduced(self) -> TernaryForm:
         """Return the one form of the class that is reduced after Korkine and Zolotarev and comes first.
@@ -293,12 +306,11 @@ class TernaryForm(Hinted):
         least coefficients in a fixed order are returned. Raises :class:`IndefiniteError` for other than
         definite forms over ℤ.
         """
-        sign = 1 if self.discriminant() > 0 else -1
         a, b, c, t, s, r = min(
             (form for _, form in self._reduced_bases()),
             key=lambda form: (form[:3], *((abs(x), x < 0) for x in form[3:])),
         )
-        found = [sign * x for x in (a // 2, b // 2, c // 2, r, s, t)]
+        found = [self._sign * x for x in (a // 2, b // 2, c // 2, r, s, t)]
         return TernaryForm(self.ring, found, self._algebras)
 
     def automorphism_count(self) -> int:
@@ -307,12 +319,12 @@ class TernaryForm(Hinted):
         return 2 * found.count(first)
 
 
-def read_form(text: str, ring: Ring, algebras: Callable[..., Any]) -> TernaryForm:
+def read_form(text: str, ring: Ring, algebras: Callable[..., Parent]) -> TernaryForm:
     """Read a form in x, y and z, as it is printed or as code.
 
     Raises :class:`NotationError` for what is not a polynomial, :class:`LatticeError` for no ternary form.
     """
-    polynomials: Any = named_ring(f"{ring.name}[x,y,z]")
+    polynomials = named_ring(f"{ring.name}[x,y,z]")
     exponents = (2, 0, 0), (0, 2, 0), (0, 0, 2), (0, 1, 1), (1, 0, 1), (1, 1, 0)
     coefficients = dict.fromkeys(exponents, ring.zero)
     for monomial, coefficient in polynomials(text).terms():
@@ -334,19 +346,20 @@ def form_of_order(order: LatticeValue) -> TernaryForm:
     return found.reduced() if reducible else found
 
 
-def form_of(basis: Triple, algebras: Callable[..., Any]) -> TernaryForm:
+def form_of(basis: Triple, algebras: Callable[..., Parent]) -> TernaryForm:
     """Return the form of the order with the basis 1, i, j, k."""
     A = basis[0].algebra
-    F: Any = A.ring
+    F = A.ring
     dual, scale = dual_basis(basis)
-    if (scale if F == QQ else F.trace(scale)) < 0:
+    base = base_of(F)
+    if base.trace(base.inside(scale)) < 0:
         scale = -scale  # of the basis in another order
     values = [scale * d.norm() for d in dual]
     pairs = [scale * (dual[m] * dual[n].conjugate()).trace() for m, n in ((1, 2), (0, 2), (0, 1))]
     return TernaryForm(F, [*values, *pairs], algebras)
 
 
-def dual_basis(basis: Triple) -> tuple[Triple, Any]:
+def dual_basis(basis: Triple) -> tuple[Triple, BaseNumber]:
     """Return the elements of trace 0 that are dual to i, j, k for the trace, and tr(i·[j,k])."""
     i, j, k = basis
     scale = (i * (j * k - k * j)).trace()
@@ -354,21 +367,23 @@ def dual_basis(basis: Triple) -> tuple[Triple, Any]:
     return tuple((p * q - q * p) * inverse for p, q in ((j, k), (k, i), (i, j))), scale
 
 
-def _is_integer(ring: Any, x: Any) -> bool:
+def _is_integer(ring: Ring, x: BaseNumber) -> bool:
     if ring == QQ:
-        return bool(x.q == 1)
+        return fraction(x).denominator == 1
     frame = integers(ring)
     return bool(frame.field.is_integral(frame.field(x)))
 
 
-def _added(u: Sequence[Any], v: Sequence[Any], c: Any = 1) -> list[Any]:
+def _added(
+    u: Sequence[BaseNumber], v: Sequence[BaseNumber], c: BaseNumber | int = 1
+) -> list[BaseNumber]:
     return [x + c * y for x, y in zip(u, v, strict=True)]
 
 
-def _inverse(ring: Ring, m: Matrix) -> list[list[Any]]:
+def _inverse(ring: Ring, m: Matrix) -> list[list[BaseNumber]]:
     """Return the inverse of a 3 × 3 matrix (Cramer)."""
 
-    def minor(r: int, c: int) -> Any:
+    def minor(r: int, c: int) -> BaseNumber:
         (p, q), (u, v) = ((r + 1) % 3, (r + 2) % 3), ((c + 1) % 3, (c + 2) % 3)
         return m[p][u] * m[q][v] - m[p][v] * m[q][u]
 

@@ -199,6 +199,13 @@ def test_indefinite_forms() -> None:
     assert abs(f.order().ternary_form().discriminant()) == abs(f.discriminant())
 
 
+def test_forms_are_reduced_over_the_integers_alone() -> None:
+    f = ternary_form([1, 1, 1, 0, 0, 0], "QQ(sqrt(2))")
+    for act in (f.reduced, f.automorphism_count):
+        with pytest.raises(IndefiniteError, match="definite and over ℤ"):
+            act()
+
+
 @pytest.mark.parametrize("field", ["QQ(sqrt(5))", "QQ(sqrt(10))", "QQ(sqrt(-5))", "QQ(sqrt(-23))"])
 def test_orders_over_number_fields_and_back(field: str) -> None:
     for f in random_forms(field, 3, 7):
