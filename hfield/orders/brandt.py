@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 from itertools import product as pairs
 from operator import mul
-from typing import Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
@@ -34,6 +34,9 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.short_elements import rows_of_norm
+
+if TYPE_CHECKING:
+    import numpy as np
 
 Matrix = list[list[int]]
 MAX_NORM = 10**5
@@ -237,7 +240,7 @@ def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
     columns, rows, times = np.array(entries).T
     starts = np.flatnonzero(np.diff(columns, prepend=-1))  # each class is a neighbour of some
 
-    def orbit(v: Any, kept: list[int]) -> nmod_mat:
+    def orbit(v: np.ndarray, kept: list[int]) -> nmod_mat:
         found = []
         for _ in kept:
             found.append(v[kept])

@@ -17,11 +17,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders.base_values import BaseIdeal, BaseNumber
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer
 from hfield.orders.basis import combined
 from hfield.orders.hermite import divided, inverse, tuples
 from hfield.orders.lattice_values import LatticeValue
@@ -29,7 +29,7 @@ from hfield.orders.lattice_values import LatticeValue
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
 
-Key = tuple[Any, ...]
+Key: TypeAlias = tuple[Integer, ...]
 MAX_QUOTIENTS = 12
 """From more short elements than this some are chosen by their inner products; over ℤ there are no more."""
 
@@ -194,7 +194,7 @@ class SublatticeKeys:
         return ShortElement(self._ambient, (row * self.rows).entries(), self.den, norm)
 
     @property
-    def norm_scale(self) -> Any:
+    def norm_scale(self) -> Integer:
         """The factor by which coordinates of norms are too large."""
         return self._ambient.scale * self.den**2 * self._ambient.domain.form_factor
 

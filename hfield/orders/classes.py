@@ -18,13 +18,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.executors import InProcess
 from hfield.core.progress import report, track
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
-from hfield.orders.base_values import BaseIdeal, Prime
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime
 from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_key
 from hfield.orders.conjugators import conjugator
@@ -309,7 +309,7 @@ class Classes:
         """Return the right ideals of norm P."""
         return neighbours_at(self.order, prime)
 
-    def local_norm(self, n: int, prime: Prime) -> Any:
+    def local_norm(self, n: int, prime: Prime) -> BaseNumber:
         """Return N(x)/ν for an x that generates class n, of norm ν·a, at the primes above that below P."""
         norm, base = self.norms[n], self.ambient.base
         x = generator_above(self.class_keys(n), base.place(prime).below, norm)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
+from hfield.core.product import Coordinates
 from hfield.errors import LatticeError, RingError
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import free_basis, pseudo_basis
 from hfield.syntax.other_systems import Writer
 
-Basis = list[tuple[Any, ...]]
+Basis = list[Coordinates]
 
 
 def lattice_text(lattice: LatticeValue, system: str) -> str:
@@ -58,13 +58,13 @@ def _basis(lattice: LatticeValue, writer: Writer) -> Basis:
 
     Raises :class:`RingError` for Sage where there is none.
     """
-    basis: Sequence[Any] = lattice.basis
+    basis = lattice.basis
     if writer.system == "sage" and len(basis) > 4:
         try:
             basis = free_basis(lattice.ambient, pseudo_basis(lattice))
         except LatticeError as error:
             raise RingError(f"orders in Sage have a basis of four elements: {error}") from None
-    return [tuple(q.coordinates) for q in basis]
+    return [q.coordinates for q in basis]
 
 
 def _expect_rational(lattice: LatticeValue, writer: Writer, what: str) -> None:

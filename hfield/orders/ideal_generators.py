@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
-from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
+from hfield.orders.base_values import ShownIdeal
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
@@ -26,7 +26,9 @@ from hfield.orders.lattice_values import (
 MAX_TRIALS = 20_000
 
 
-def two_generators(ideal: LatticeValue, order: LatticeValue, side: str) -> tuple[Any, Quaternion]:
+def two_generators(
+    ideal: LatticeValue, order: LatticeValue, side: str
+) -> tuple[ShownIdeal, Quaternion]:
     """Return (n, x) with ``I = O·n + O·x`` for a left ideal, n·O + x·O for a right one.
 
     The lattice of both is computed and compared. Raises :class:`LatticeError` unless I is locally principal.

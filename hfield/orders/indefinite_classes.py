@@ -75,7 +75,7 @@ class IndefiniteClassSet(Hinted):
         value, order = ideal.value, self.order.value
         if not is_locally_principal(value, order) or product(value, order) != value:
             raise LatticeError(f"{shorten(ideal)} is not an invertible right ideal of the order")
-        return list(self._ideals).index(self.group.class_of(ideal.norm()))
+        return list(self._ideals).index(self.group.class_of(value.norm))
 
     @property
     def type_number(self) -> int:

@@ -13,7 +13,7 @@ from concurrent.futures import Executor
 from fractions import Fraction
 from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, overload
+from typing import TYPE_CHECKING, Self, TypeVar, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import Factors
@@ -26,6 +26,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.evidence import Certified, Claim
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.search import split_order
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
@@ -51,11 +52,13 @@ from hfield.orders import (
     quadratic_orders,
     related_orders,
     short_elements,
+    standard_orders,
     ternary_forms,
     units,
 )
 from hfield.orders import strong_approximation as solvers
-from hfield.orders.base_values import BaseIdeal
+from hfield.orders.base import number_field_integers
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, ShownIdeal, ThetaSeries
 from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
 from hfield.orders.classes import Classes
@@ -87,6 +90,7 @@ if TYPE_CHECKING:
     from hfield.orders.pseudo_bases import PseudoBasis
     from hfield.orders.rational_newforms import RationalNewform
 
+ValueT = TypeVar("ValueT")
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
@@ -167,7 +171,7 @@ class Lattice(Hinted, PrintedBySympy):
     def __contains__(self, x: object) -> bool:
         return lattice_values.contains(self.value, x)
 
-    def coordinates(self, x: object) -> tuple[Any, ...]:
+    def coordinates(self, x: object) -> tuple[BaseNumber, ...]:
         """Return the rational coordinates of an element with respect to :attr:`basis`."""
         return lattice_values.coordinates(self.value, x)
 
@@ -195,7 +199,7 @@ class Lattice(Hinted, PrintedBySympy):
             basis = ", ".join(q.text("latex") for q in self.basis)
             symbol = ambient.domain.latex
             return rf"{symbol}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
-        K: Any = self.algebra.ring
+        K = number_field_integers(ambient.base).ring
         pairs = []
         for ideal, q in self.pseudo_basis():
             numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
@@ -284,7 +288,7 @@ class Lattice(Hinted, PrintedBySympy):
         factor = self._same(other, "divide")
         return Lattice(lattice_values.colon(self.value, factor.value, checked_side(side)))
 
-    def index(self, other: object) -> Any:
+    def index(self, other: object) -> ShownIdeal:
         """Return the index of the other lattice in this one, over ℤ an int where it is contained.
 
         Otherwise the ratio of the volumes, a Fraction (Voight, section 9.6). Over ℤ_K it is an ideal.
@@ -292,7 +296,7 @@ class Lattice(Hinted, PrintedBySympy):
         ratio = lattice_values.index(self.value, self._same(other, "compare").value)
         return self.value.ambient.base.shown_index(ratio)
 
-    def volume(self) -> Any:
+    def volume(self) -> ShownIdeal:
         """Return the index of L in ⟨1, i, j, k⟩, or ⟨1, I, J, IJ⟩ over ℤ_K, as :meth:`index` does.
 
         >>> from hfield import H
@@ -328,20 +332,20 @@ class Lattice(Hinted, PrintedBySympy):
 
     # --- the norm --------------------------------------------------------------------------------
 
-    def norm(self) -> Any:
+    def norm(self) -> ShownIdeal:
         """Return the reduced norm of the lattice: over ℤ the gcd of the norms of its elements, in QQ.
 
         Over ℤ_K it is the ideal that they generate.
         """
         return self.value.ambient.base.shown_norm(self.value)
 
-    def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
+    def gram_matrix(self) -> tuple[tuple[BaseNumber, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
         base, grams = self.value.ambient.base, self.value.grams
         below = self.value.ambient.scale * self.value.den**2
         size, fraction_of = range(len(self.basis)), self.value.ambient.domain.fraction
 
-        def entry(m: int, n: int) -> Any:
+        def entry(m: int, n: int) -> BaseNumber:
             return base.outside(base.element_of([fraction_of(g[m, n], below) for g in grams]))
 
         return tuple(tuple(entry(m, n) for n in size) for m in size)
@@ -389,7 +393,7 @@ class Lattice(Hinted, PrintedBySympy):
         expect_definite(self.value.ambient, "elements_of_norm_at_most()")
         return short_elements.of_norm_at_most(self.value, n)
 
-    def theta_series(self, n: int) -> Any:
+    def theta_series(self, n: int) -> ThetaSeries:
         """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm()``, in a definite algebra.
 
         Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ascending by traces, and over 𝔽_q[t] for
@@ -490,7 +494,7 @@ class Order(WithStableClasses, Certified, Lattice):
             "kind": "order",
             "algebra": str(self.algebra),
             **rows_json(self.value),
-            "discriminant": ambient.base.ideal_text(self.discriminant()),
+            "discriminant": ambient.base.ideal_text(lattice_values.discriminant(self.value)),
             "discriminant_of_algebra": ambient.base.ideal_text(ambient.discriminant),
         }
 
@@ -506,20 +510,20 @@ class Order(WithStableClasses, Certified, Lattice):
 
     # --- what it is as a ring --------------------------------------------------------------------
 
-    def discriminant(self) -> Any:
+    def discriminant(self) -> ShownIdeal:
         """Return the reduced discriminant, an int over ℤ and an ideal over ℤ_K."""
         return self._discriminant
 
     @cached_property
-    def _discriminant(self) -> Any:
+    def _discriminant(self) -> ShownIdeal:
         return self.value.ambient.base.shown_index(lattice_values.discriminant(self.value))
 
     def norm_of_discriminant(self) -> int:
         """Return the absolute norm of the reduced discriminant; over ℤ it is that number itself."""
-        return self.value.ambient.base.absolute_norm(self._discriminant)
+        return self.value.ambient.base.absolute_norm(lattice_values.discriminant(self.value))
 
     @property
-    def level(self) -> Any:
+    def level(self) -> ShownIdeal:
         """The index in a maximal order: the reduced discriminant over that of the algebra."""
         return self.value.ambient.base.shown_index(invariants.level(self.value))
 
@@ -551,7 +555,7 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         return invariants.eichler_symbol(self.value, self.value.ambient.base.prime(prime))
 
-    def conductor(self) -> Any:
+    def conductor(self) -> ShownIdeal:
         """Return the largest f with O = R + f·G for an order G, R being ℤ or ℤ_K: 1 for Gorenstein orders."""
         return self.value.ambient.base.shown_index(invariants.conductor(self.value))
 
@@ -565,10 +569,10 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def is_hereditary(self) -> bool:
         """Tell whether all ideals are invertible: whether no square divides the discriminant."""
-        factors = self.value.ambient.base.factorisation(self._discriminant)
+        factors = self.value.ambient.base.factorisation(lattice_values.discriminant(self.value))
         return all(e == 1 for _, e in factors)
 
-    def ternary_theta_series(self, n: int) -> Any:
+    def ternary_theta_series(self, n: int) -> ThetaSeries:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.
 
         Over ℤ_K return {ν: r(ν)} as :meth:`theta_series` does. Raises :class:`IndefiniteError` and
@@ -642,7 +646,10 @@ class Order(WithStableClasses, Certified, Lattice):
         return self._related(related_orders.overorders, prime, k)
 
     def _related(
-        self, search: Callable[[LatticeValue, Any, int], list[LatticeValue]], prime: object, k: int
+        self,
+        search: Callable[[LatticeValue, Prime, int], list[LatticeValue]],
+        prime: object,
+        k: int,
     ) -> list[Order]:
         P = self.value.ambient.base.prime(prime)
         found = search(self.value, P, natural(k, "the exponent of an index is"))
@@ -1146,7 +1153,7 @@ class Ideal(Certified, Lattice):
             return Ideal.of(found, "right", self._order)
         return Ideal.of(found, "left")
 
-    def primitive_part(self) -> tuple[Ideal, Any]:
+    def primitive_part(self) -> tuple[Ideal, ShownIdeal]:
         """Return (J, m) with I = m·J, J integral, and in no m·O but for m = 1; m is an int or an ideal.
 
         Raises :class:`LatticeError` unless the ideal is integral.
@@ -1261,7 +1268,7 @@ class Ideal(Certified, Lattice):
         return equivalence.equivalence(order, self.value, order, self.side)
 
     @cached_property
-    def generators(self) -> tuple[Any, Quaternion]:
+    def generators(self) -> tuple[ShownIdeal, Quaternion]:
         """Two generators, a number n and an element x: I = O·n + O·x, for a right ideal n·O + x·O.
 
         Over ℤ_K n is an ideal of the field. The lattice that they generate is computed and compared with I.
@@ -1350,7 +1357,7 @@ class Ideal(Certified, Lattice):
         smooth = positive(number, "number T")
         x = klpt.to_norm_dividing(self._as_left, self.order.value, smooth, seed)
         found = self._from_left(x)
-        return *found.pair, int(found.norm())
+        return *found.pair, int(fraction(found.norm()))
 
     def equivalent_pair(
         self, total: object, seed: int = 0
@@ -1668,7 +1675,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         assert isinstance(functions, WeightedFunctions)
         return functions.hecke_polynomial(ideal)
 
-    def hecke_operator(self, norm: object, values: Sequence[Any]) -> list[Any]:
+    def hecke_operator(self, norm: object, values: Sequence[ValueT]) -> list[ValueT]:
         """Return the Brandt matrix of a norm times a function on the classes, given by its values.
 
         Raises :class:`LatticeError` unless there is a value for each class.
@@ -1682,7 +1689,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
             raise LatticeError(f"{len(values)} values were given for {len(self)} classes")
         return brandt.brandt_rows(self._classes, self._base.integral_ideal(norm)).times(values)
 
-    def theta_series(self, i: int, j: int, n: int) -> Any:
+    def theta_series(self, i: int, j: int, n: int) -> ThetaSeries:
         """Return the theta series of the lattice I_i·I_j⁻¹, as :meth:`Lattice.theta_series` does.
 
         Over ℤ its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m.
@@ -1697,14 +1704,14 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         between = lattice_values.product(self._classes.lattice(i), inverse)
         return short_elements.theta_series(between, n)
 
-    def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, Any]]]:
+    def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, int | Fraction]]]:
         """Yield the edges of :meth:`graph`."""
         units = self.units
         for i, row in enumerate(self.neighbour_counts(prime)):
             for j, times in row.items():
                 yield i, j, {"weight": times, "mass": Fraction(times, units[i])}
 
-    def graph(self, prime: object) -> list[tuple[int, int, dict[str, Any]]]:
+    def graph(self, prime: object) -> list[tuple[int, int, dict[str, int | Fraction]]]:
         """Return the edges of the graph of P-neighbours as a list that ``networkx.DiGraph`` reads.
 
         ``weight`` is the multiplicity: how many right ideals of relative norm P in class i belong to class j,
@@ -1787,11 +1794,11 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     @cached_property
     def _classes_of_level(self) -> Callable[[BaseIdeal], Classes]:
         """The classes of Eichler orders of the same algebra, by their levels."""
-        algebra: Any = self.order.algebra
+        algebra = self.order.algebra
 
         @cache
         def classes(level: BaseIdeal) -> Classes:
-            return Classes(algebra.eichler_order(level).value)
+            return Classes(standard_orders.eichler_order(algebra, level))
 
         return classes
 

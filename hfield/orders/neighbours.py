@@ -18,13 +18,13 @@ import random
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import chain, combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpq_mat, fmpz_mat, nmod, nmod_mat
 
 from hfield.core.factorisation import remove
 from hfield.errors import LatticeError
-from hfield.orders.base_values import Prime
+from hfield.orders.base_values import BaseNumber, Prime
 from hfield.orders.domains import EuclideanDomain
 from hfield.orders.ideals_of_norm import subideals, two_sided_prime
 from hfield.orders.lattice_values import LatticeValue, discriminant
@@ -32,6 +32,7 @@ from hfield.orders.orders_at_primes import OrderAtPrime
 
 if TYPE_CHECKING:
     from hfield.orders.base import Base
+    from hfield.orders.base_values import Integer, IntegerMatrix, ModularMatrix, Rational
     from hfield.orders.class_keys import Norm, ShortElement, SublatticeKeys
 
 Matrix = list[list[int]]
@@ -153,11 +154,11 @@ def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement 
     raise LatticeError(f"no element generates the ideal at the primes above {p}")
 
 
-def _valuation(domain: EuclideanDomain, x: Any, p: Any) -> int:
+def _valuation(domain: EuclideanDomain, x: Rational, p: Integer) -> int:
     return domain.remove(domain.numerator(x), p)[0] - domain.remove(domain.denominator(x), p)[0]
 
 
-def _solutions(domain: EuclideanDomain, forms: Any, p: Any) -> Any:
+def _solutions(domain: EuclideanDomain, forms: ModularMatrix, p: Integer) -> IntegerMatrix:
     """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
     reduced, rank = forms.rref()
     size = forms.ncols()
@@ -165,7 +166,7 @@ def _solutions(domain: EuclideanDomain, forms: Any, p: Any) -> Any:
     for k in range(rank):
         start = pivots[-1] + 1 if pivots else 0
         pivots.append(next(m for m in range(start, size) if reduced[k, m]))
-    entries: list[Any] = [0] * (size * size)
+    entries: list[Integer] = [0] * (size * size)
     for m in range(size):
         entries[m * (size + 1)] = 1
     for k, pivot in enumerate(pivots):
@@ -225,7 +226,7 @@ def _plane(neighbours: Neighbours) -> Matrix:
     return forms
 
 
-def _whole(x: Any) -> Any:
+def _whole(x: nmod | Integer) -> Integer:
     """Return an element of a matrix modulo a prime as an integer of the domain."""
     return int(x) if isinstance(x, nmod) else x
 
@@ -241,7 +242,7 @@ def _modulo(order: LatticeValue, matrix: fmpq_mat, p: int) -> nmod_mat:
     return order.ambient.domain.modular(moved, p)
 
 
-def _embedding(base: Base, prime: Prime, p: int) -> Any:
+def _embedding(base: Base, prime: Prime, p: int) -> BaseNumber:
     """Return an integer t of the field, so that t·x is divisible by p exactly where x is in P."""
     domain = base.domain
     den, rows = base.ideal_rows(base.inverse(base.prime_ideal(prime)))
@@ -252,7 +253,7 @@ def _embedding(base: Base, prime: Prime, p: int) -> Any:
     raise AssertionError("p·P⁻¹ is not contained in p·ℤ_K")
 
 
-def _multiplication(base: Base, prime: Prime, c: Any, f: int) -> Matrix:
+def _multiplication(base: Base, prime: Prime, c: BaseNumber, f: int) -> Matrix:
     """Return the matrix of the multiplication by a residue, on digits as rows."""
     place = base.place(prime)
     units = (base.residue(prime, [int(k == m) for m in range(f)]) for k in range(f))

@@ -12,12 +12,13 @@ import math
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import count, islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
+from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.base_values import Prime
 from hfield.orders.eigenvalue_fields import EigenvalueField
@@ -25,6 +26,10 @@ from hfield.orders.residues_modulo_primes import lifted
 from hfield.orders.validation import positive
 
 if TYPE_CHECKING:
+    from flint import fmpq
+
+    from hfield.fields.number_fields.ring import NumberField
+    from hfield.fields.rationals.ring import Rationals
     from hfield.orders.eigensystems import Combination, Level, Module
 
 SHORT_EIGENVALUES = 10
@@ -67,7 +72,7 @@ class Newform:
         return self._module.level
 
     @property
-    def field(self) -> Any:
+    def field(self) -> Rationals | NumberField:
         """The field of the eigenvalues: ℚ, or a number field given by a small polynomial."""
         return QQ if self.degree == 1 else self._field.field
 
@@ -103,7 +108,7 @@ class Newform:
 
     # --- eigenvalues -----------------------------------------------------------------------------------
 
-    def eigenvalue(self, prime: object) -> Any:
+    def eigenvalue(self, prime: object) -> fmpq | FieldElement:
         """Return the eigenvalue at a prime, an element of the field.
 
         At P it is −sign·N(P)^(k/2−1) where P divides the level once, and 0 where P² does. Raises
@@ -117,10 +122,10 @@ class Newform:
             return self.field(self._numerator(P)[0])
         return self._field.element(self._numerator(P))
 
-    def __getitem__(self, prime: object) -> Any:
+    def __getitem__(self, prime: object) -> int | FieldElement:
         """Return the eigenvalue at a prime; an int where the field is ℚ."""
         found = self.eigenvalue(prime)
-        return int(found.p) if self.degree == 1 else found
+        return found if isinstance(found, FieldElement) else int(found.p)
 
     def trace(self, prime: object) -> int:
         """Return the trace of the eigenvalue at a prime down to ℚ."""
@@ -174,7 +179,7 @@ class Newform:
 
     # --- q-expansions ------------------------------------------------------------------------------------
 
-    def coefficient(self, n: int) -> Any:
+    def coefficient(self, n: int) -> fmpq | FieldElement:
         """Return the coefficient of qⁿ, n ≥ 1, an element of the field.
 
         Raises :class:`LatticeError` over other fields than ℚ, where forms have no such expansion.
@@ -226,7 +231,7 @@ class Newform:
                 yield self.trace(n)
             else:
                 a = self.coefficient(n)
-                yield int((a if self.degree == 1 else a.trace()).p)
+                yield int((a.trace() if isinstance(a, FieldElement) else a).p)
 
     @property
     def label(self) -> str | None:
@@ -272,12 +277,12 @@ class Newform:
 
     # --- several -----------------------------------------------------------------------------------------
 
-    def eigenvalues(self, number: int) -> dict[object, Any]:
+    def eigenvalues(self, number: int) -> dict[Prime, int | FieldElement]:
         """Return the eigenvalues at the first primes off the level and the discriminant."""
         primes = islice(self._module.good_primes(), number)
         return {self._module.shown(P): self[P] for P in primes}
 
-    def eigenvalues_up_to(self, norm: int) -> dict[object, Any]:
+    def eigenvalues_up_to(self, norm: int) -> dict[Prime, int | FieldElement]:
         """Return the eigenvalues at all primes of norm up to a bound, those of the level too."""
         return {self._module.shown(P): self[P] for P in self._module.primes_up_to(norm)}
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from flint import fmpq_mat, fmpz_mat
+from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import Factors, factorise, known_primes
@@ -73,7 +73,7 @@ def _modulo_prime_power(order: LatticeValue, p: int, k: int) -> Table:
     return [list(row) for row in zip(*columns, strict=True)]
 
 
-def _one_row(entries: Sequence[Any]) -> fmpq_mat:
+def _one_row(entries: Sequence[fmpq]) -> fmpq_mat:
     return fmpq_mat([list(entries)])
 
 

@@ -17,7 +17,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice, product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from flint import fmpq_mat
@@ -246,21 +246,24 @@ class RationalSystems:
                 yield [
                     _primitive(
                         sum(
-                            np.array(v, dtype=object) * int(c)
-                            for v, c in zip(basis, x, strict=True)
+                            (
+                                np.array(v, dtype=object) * int(c)
+                                for v, c in zip(basis, x, strict=True)
+                            ),
+                            np.zeros(len(basis[0]), dtype=object),
                         )
                     )
                     for x in columns
                 ]
 
 
-def _shown(base: Base, prime: Prime) -> Any:
+def _shown(base: Base, prime: Prime) -> Prime:
     """Return a prime as the base field has it."""
     above = base.primes_above(base.place(prime).below)
     return next(P for P, Q in above if prime == Q)
 
 
-def _primitive(vector: Any) -> np.ndarray:
+def _primitive(vector: np.ndarray) -> np.ndarray:
     """Return an integer vector divided by its content."""
     content: int = math.gcd(*map(int, vector))
     found: np.ndarray = (vector // content).astype("int64")

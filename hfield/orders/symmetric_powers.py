@@ -10,9 +10,9 @@ the algebra is M₂(𝔽_p) at each. So no number field is needed, and a scalar 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from flint import fmpz, nmod_mat, nmod_poly
+from flint import fmpq, fmpz, nmod_mat, nmod_poly
 
 from hfield.fields.rationals.whole_numbers import sqrt_mod
 from hfield.orders.base import number_field_integers
@@ -85,7 +85,7 @@ def _product(x: Square, y: Square, p: int) -> Square:
     return (a * e + b * g) % p, (a * f + b * h) % p, (c * e + d * g) % p, (c * f + d * h) % p
 
 
-def _modulo(x: Any, p: int) -> int:
+def _modulo(x: fmpq, p: int) -> int:
     return int(x.p) * pow(int(x.q), -1, p) % p
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isqrt, pi, sqrt
-from typing import Any
 
 import numpy as np
 
@@ -63,7 +62,7 @@ def vectors_of_value(
 
 
 def _solved(
-    form: Matrix, value: int, x: Any, y: Any, places: tuple[int, int, int]
+    form: Matrix, value: int, x: np.ndarray, y: np.ndarray, places: tuple[int, int, int]
 ) -> Iterator[tuple[int, int, int]]:
     """Yield the vectors with coordinates x and y at places i and j, arrays, and a root at k."""
     i, j, k = places

@@ -27,6 +27,7 @@ from hfield.cli.parser import (
 from hfield.cli.status import Waiting
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.orders.lattice import ClassSet
     from hfield.orders.newforms import Newform
     from hfield.presenting import Part
@@ -126,8 +127,8 @@ def _data(C: ClassSet, k: int, forms: list[Newform], bound: int) -> dict[str, ob
 
 
 def _form_data(f: Newform, bound: int) -> dict[str, object]:
-    def number(a: Any) -> object:
-        return a if f.degree == 1 else f.field.coordinates(a)
+    def number(a: int | FieldElement) -> object:
+        return a if isinstance(a, int) else a.field.coordinates(a)
 
     return {
         "label": f.label,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
@@ -41,16 +41,14 @@ class Kernels:
 
     def __init__(self, base: Base) -> None:
         own = rank4 if base.is_rational else polynomials if base.is_polynomial else general
-
-        def choose(name: str) -> Any:
-            return getattr(own, name, getattr(general, name))
-
-        self.first_order = choose("first_order")
-        self.norm = choose("norm")
-        self.content = choose("content")
-        self.volume = choose("volume")
-        self.order_rows = choose("order_rows")
-        self.is_locally_principal = choose("is_locally_principal")
-        self.combination = choose("combination")
-        self.theta_series = choose("theta_series")
+        self.first_order = getattr(own, "first_order", general.first_order)
+        self.norm = getattr(own, "norm", general.norm)
+        self.content = getattr(own, "content", general.content)
+        self.volume = getattr(own, "volume", general.volume)
+        self.order_rows = getattr(own, "order_rows", general.order_rows)
+        self.is_locally_principal = getattr(
+            own, "is_locally_principal", general.is_locally_principal
+        )
+        self.combination = getattr(own, "combination", general.combination)
+        self.theta_series = getattr(own, "theta_series", general.theta_series)
         self.reduces_ternary_forms = base.is_rational
