@@ -97,7 +97,7 @@ class ResiduePlace(FinitePlace, Protocol):
     index: int
 
 
-class BaseRing(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
+class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     """A ring of integers, free of rank ``degree`` over its domain with the basis ``integral_basis``.
 
     Its numbers, ideals, primes and residues are of the types in the brackets.
@@ -332,7 +332,7 @@ class BaseRing(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """
 
 
-Base: TypeAlias = BaseRing[BaseNumber, BaseIdeal, Prime, Residue]
+Base: TypeAlias = TypedBase[BaseNumber, BaseIdeal, Prime, Residue]
 """A base of any kind. Its numbers, ideals, primes and residues mix with those of the same base alone."""
 
 
@@ -578,7 +578,7 @@ def _norm_bound(lattice: LatticeValue, n: object) -> int:
 
 
 def is_totally_definite(
-    base: BaseRing[NumberT, IdealT, PrimeT, ResidueT], constants: Constants[NumberT]
+    base: TypedBase[NumberT, IdealT, PrimeT, ResidueT], constants: Constants[NumberT]
 ) -> bool:
     """Tell whether an algebra over a number field is totally definite."""
     a, t, b = constants
@@ -879,4 +879,4 @@ class NumberFieldIntegers:
         return {self.outside(norm): count for norm, count in ordered}
 
 
-RATIONAL_INTEGERS: BaseRing[fmpq, Fraction | int, int, int] = RationalIntegers()
+RATIONAL_INTEGERS: TypedBase[fmpq, Fraction | int, int, int] = RationalIntegers()

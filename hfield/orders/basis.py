@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-    from hfield.orders.base import BaseRing
+    from hfield.orders.base import TypedBase
 
 UNITS: list[Quadruple[int]] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
 
@@ -412,9 +412,9 @@ def base_of(ring: Ring) -> Base:
 def _integers_of(
     ring: Ring,
 ) -> (
-    BaseRing[fmpq, Fraction | int, int, int]
-    | BaseRing[FieldElement, FractionalIdeal, PrimeIdeal, Polynomial]
-    | BaseRing[Quotient, PolynomialIdeal, PolynomialIdeal, fq_default_poly]
+    TypedBase[fmpq, Fraction | int, int, int]
+    | TypedBase[FieldElement, FractionalIdeal, PrimeIdeal, Polynomial]
+    | TypedBase[Quotient, PolynomialIdeal, PolynomialIdeal, fq_default_poly]
 ):
     if ring == QQ:
         return RATIONAL_INTEGERS

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from hfield.hints import FIELD, Hinted
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import ClassGroup, UnitGroup
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import FractionalIdeal
+    from hfield.fields.number_fields.ring import NumberField
 
 
 class WithIdeals(Hinted):
     """Ideals of the integers of a number field."""
 
     foreign_names = FIELD
+
+    @property
+    def _field(self) -> NumberField:
+        """The field itself: only number fields are made with this class."""
+        return cast("NumberField", self)
 
     def ideal(self, *generators: object) -> FractionalIdeal:
         """Return the fractional ideal of elements, prime ideals and ideals, a list of such, or its text.
@@ -29,8 +36,7 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.ideals import ideal
 
-        field: Any = self
-        return ideal(field, *generators)
+        return ideal(self._field, *generators)
 
     def zeta_minus_one(self) -> Fraction:
         """Return ζ_K(−1) of a totally real field, exactly, by Siegel's formula.
@@ -43,7 +49,7 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 
-        return zeta_minus_one(self)
+        return zeta_minus_one(self._field)
 
     def class_group(self) -> ClassGroup:
         """Return the class group, proved; with ``order, invariants, generators, class_of(a), evidence``.
@@ -56,7 +62,7 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.classes.class_groups import class_group
 
-        return class_group(self)
+        return class_group(self._field)
 
     def narrow_class_group(self) -> ClassGroup:
         """Return the group of ideals modulo those with a totally positive generator. Raises likewise.
@@ -67,7 +73,7 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.classes.class_groups import narrow_class_group
 
-        return narrow_class_group(self)
+        return narrow_class_group(self._field)
 
     def unit_group(self) -> UnitGroup:
         """Return the unit group, proved; with ``rank, generators, torsion, regulator, totally_positive``.
@@ -81,9 +87,9 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.classes.class_groups import unit_group
 
-        return unit_group(self)
+        return unit_group(self._field)
 
-    def totally_positive_units(self) -> tuple[Any, ...]:
+    def totally_positive_units(self) -> tuple[FieldElement, ...]:
         """Return generators of the group of totally positive units. Raises likewise.
 
         >>> from hfield import ring
@@ -92,4 +98,4 @@ class WithIdeals(Hinted):
         """
         from hfield.fields.number_fields.classes.class_groups import unit_group
 
-        return unit_group(self).totally_positive
+        return unit_group(self._field).totally_positive

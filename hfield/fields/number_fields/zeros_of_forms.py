@@ -13,7 +13,7 @@ import math
 import random
 from collections.abc import Iterator, Sequence
 from functools import cache, cached_property
-from typing import Any
+from typing import TYPE_CHECKING, TypeVar
 
 import flint
 
@@ -27,6 +27,11 @@ from hfield.fields.linear_algebra.lattice_reduction import (
 )
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.quadratic_forms.minimal_conics import Vector
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    Z = TypeVar("Z", complex, flint.acb)
 
 MAX_DEGREE = 12
 COMBINATIONS = 60_000  # of a reduced basis
@@ -101,7 +106,7 @@ class ZeroSearch:
                 for v, unit in zip(points, units, strict=True)
             ]
 
-    def _values(self, bits: int) -> list[list[Any]]:
+    def _values(self, bits: int) -> list[list[flint.acb]]:
         """Return √f·x for the coordinates x of each vector at each infinite place."""
         embeddings = self.field.embeddings
         roots = [
@@ -119,13 +124,14 @@ class ZeroSearch:
             ]
         )
 
-    def _apart(self, points: list[list[Any]]) -> list[list[Any]]:
+    def _apart(self, points: list[list[Z]]) -> list[list[Z]]:
         """Return points less multiples of the last, so that they are orthogonal to it for the majorant."""
         if not self.modulo:
             return points
-        out, last = [], points[-1]
+        out: list[list[Z]] = []
+        last = points[-1]
         for v in points[:-1]:
-            row: list[Any] = []
+            row: list[Z] = []
             for k in range(0, len(v), self.width):
                 at, u = v[k : k + self.width], last[k : k + self.width]
                 pairing = sum(z * w.conjugate() for z, w in zip(at, u, strict=True))
@@ -134,7 +140,7 @@ class ZeroSearch:
             out.append(row)
         return [*out, last]
 
-    def _real(self, v: Sequence[Any]) -> list[Any]:
+    def _real(self, v: Sequence[complex]) -> list[float]:
         return real_coordinates(v, self.width * self.real)
 
     def zeros(self) -> Iterator[Vector]:
@@ -180,17 +186,17 @@ class ZeroSearch:
                 yield v
 
 
-def _root(z: Any) -> Any:
+def _root(z: flint.acb) -> flint.acb:
     """Return a square root of a ball; a ball around a negative number is not cut by the branch."""
     return z.sqrt() if z.real.mid() >= 0 else (-z).sqrt() * flint.acb(0, 1)
 
 
 @cache
-def _small_combinations(rank: int) -> Any:
+def _small_combinations(rank: int) -> np.ndarray:
     """Return vectors of entries 0, 1, −1, the first of them 1: those with few entries first."""
     import numpy as np
 
-    blocks: list[Any] = []
+    blocks: list[np.ndarray] = []
     for size in range(1, rank + 1):
         signs = np.array(list(itertools.product((1,), *[(1, -1)] * (size - 1))))
         most = -(-(COMBINATIONS - sum(map(len, blocks))) // len(signs))

@@ -11,7 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -24,12 +24,15 @@ from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import FractionalIdeal
 from hfield.verdicts import Verdict
 
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.ring import NumberField
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Principality(Verdict[FieldElement]):
     """Whether an ideal is principal: ``generator`` if so, else None; ``evidence`` as data."""
 
-    evidence: dict[str, Any] | None = None
+    evidence: dict[str, object] | None = None
 
     @property
     def generator(self) -> FieldElement | None:
@@ -100,7 +103,7 @@ def _smith(m: list[list[int]], k: int) -> tuple[list[int], list[list[int]], list
 class _Field:
     """S-units of a field put in order: units apart from those that are none."""
 
-    def __init__(self, ring: Any) -> None:
+    def __init__(self, ring: NumberField) -> None:
         self.s: SUnits = s_units(ring)
         s, self.ring = self.s, ring
         k = len(s.primes)
@@ -206,14 +209,14 @@ class _Field:
         return x
 
 
-def _nearest(c: Any) -> int:
+def _nearest(c: flint.arb) -> int:
     """Return an integer near the middle of a ball, which only makes a number shorter."""
     whole = (c.mid() + flint.arb("0.5")).mid().floor().unique_fmpz()
     return 0 if whole is None else int(whole)
 
 
 @lru_cache(maxsize=256)
-def _field(ring: Any) -> _Field:
+def _field(ring: NumberField) -> _Field:
     return _Field(ring)
 
 
@@ -224,6 +227,7 @@ def is_principal(a: FractionalIdeal) -> Principality:
     if x is not None:
         return Principality(True, "a generator is known", x, evidence={"kind": "generator"})
     classes = field.classes.coordinates(field.class_of(a)[1])
+    found: dict[str, object]
     found = {"kind": "class", "invariants": field.classes.invariants, "class": classes}
     return Principality(False, "its class is not 0 in the class group", evidence=found)
 
@@ -242,7 +246,7 @@ class ClassGroup(Certified):
 
     assumes: tuple[str, ...] = ()
 
-    def __init__(self, ring: Any, signs: tuple[int, ...] = ()) -> None:
+    def __init__(self, ring: NumberField, signs: tuple[int, ...] = ()) -> None:
         self.ring, self.narrow, self._field, self._signs = ring, bool(signs), _field(ring), signs
         s, places = self._field.s, len(signs)
         k = len(s.primes)
@@ -305,7 +309,7 @@ class ClassGroup(Certified):
         raise UndecidedError("no small ideal was found in a narrow class")
 
     @cached_property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What shows it, as JSON data: reductions, generators of S-units, where they are saturated."""
         return evidence.evidence(self._field.s)
 
@@ -330,7 +334,7 @@ class UnitGroup(Certified):
 
     assumes: tuple[str, ...] = ()
 
-    def __init__(self, ring: Any) -> None:
+    def __init__(self, ring: NumberField) -> None:
         self.ring, self._field = ring, _field(ring)
         s = self._field.s
         self.rank, self.torsion_order = s.rank, s.order_of_torsion
@@ -342,12 +346,12 @@ class UnitGroup(Certified):
         return f"ℤ/{self.torsion_order}{free}"
 
     @cached_property
-    def regulator(self) -> Any:
+    def regulator(self) -> flint.arb:
         """A ball of flint that contains the regulator; 1 where the rank is 0."""
         return self._field.s.covolume(self._field.units, [[] for _ in self._field.units])
 
     @cached_property
-    def totally_positive(self) -> tuple[Any, ...]:
+    def totally_positive(self) -> tuple[FieldElement, ...]:
         """Generators of the group of totally positive units; without real places, those of the free part."""
         s = self._field.s
         real = s.field.signature[0]
@@ -371,7 +375,7 @@ class UnitGroup(Certified):
         return tuple(out)
 
     @cached_property
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """What shows it, as for the class group."""
         return evidence.evidence(self._field.s)
 
@@ -383,17 +387,17 @@ class UnitGroup(Certified):
 
 
 @lru_cache(maxsize=256)
-def class_group(ring: Any, signs: tuple[int, ...] = ()) -> ClassGroup:
+def class_group(ring: NumberField, signs: tuple[int, ...] = ()) -> ClassGroup:
     """Return the group of ideals modulo generators that are positive at some real places."""
     return ClassGroup(ring, signs)
 
 
-def narrow_class_group(ring: Any) -> ClassGroup:
+def narrow_class_group(ring: NumberField) -> ClassGroup:
     """Return the group of ideals modulo those with a totally positive generator."""
     return class_group(ring, tuple(range(_field(ring).s.field.signature[0])))
 
 
 @lru_cache(maxsize=256)
-def unit_group(ring: Any) -> UnitGroup:
+def unit_group(ring: NumberField) -> UnitGroup:
     """Return the unit group."""
     return UnitGroup(ring)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.checker.glossary import (
     ARTIN,
@@ -21,14 +21,18 @@ from hfield.fields.number_fields.classes import s_units
 from hfield.fields.number_fields.classes.s_units import SUnits
 from hfield.fields.number_fields.integral_basis import coordinate_rows
 
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.fields.number_fields.ring import NumberField
+
 CITED = {s_units.FRIEDMAN: FRIEDMAN, s_units.ARTIN: ARTIN, s_units.CUSICK: CUSICK}
 
 
-def evidence(s: SUnits) -> dict[str, Any]:
+def evidence(s: SUnits) -> dict[str, object]:
     """Return it as JSON data (docs/reference/certificates.md); prime ideals are numbered as listed."""
     coordinates = s.field.coordinates
-    listed: list[Any] = []
-    number: dict[Any, int] = {}
+    listed: list[list[object]] = []
+    number: dict[PrimeIdeal, int] = {}
     for p in primes(s.bound + 1):
         above = list(s.frame.field.primes_above(p))
         number |= {P: len(number) + k for k, P in enumerate(above)}
@@ -69,7 +73,7 @@ def cited(s: SUnits) -> tuple[str, ...]:
     return (bound, CITED[source] if is_known else HERMITE)
 
 
-def _second(s: SUnits, P: Any) -> list[int]:
+def _second(s: SUnits, P: PrimeIdeal) -> list[int]:
     """Return the second generator of a prime ideal in the integral basis, times what is prime to p."""
     if P.is_inert:
         return [0] * s.n
@@ -93,7 +97,7 @@ def _residues(s: SUnits) -> list[list[int]]:
     return found
 
 
-def claim(s: SUnits, ring: Any, statement: str) -> Claim:
+def claim(s: SUnits, ring: NumberField, statement: str) -> Claim:
     """Return a statement about a field, with the S-units that show it."""
     algebra = f"(-1,-1|{ring.name})"
     return Claim(algebra, statement, evidence(s), BY_S_UNITS, assumes=cited(s), ring=ring)

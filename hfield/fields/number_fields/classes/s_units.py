@@ -18,10 +18,10 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import islice, product
 from random import Random
-from typing import Any
+from typing import TypeAlias
 
 import flint
 import numpy as np
@@ -41,6 +41,9 @@ from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.ring import NumberField
+
+Characters: TypeAlias = Callable[[Sequence[FieldElement]], tuple[tuple[int, int], list[int]]]
+"""From elements to a prime with a root modulo it, and their logarithms there."""
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
 MIN_PRIMES_OF_DEGREE_ONE = 8
@@ -416,7 +419,7 @@ class SUnits:
         short = [row for row in found if any(abs(c) > 1 << 44 for c in row[count:])]
         return [[int(c) >> 36 for c in row[:count]] for row in short] + others
 
-    def covolume(self, elements: list[FieldElement], rows: list[list[int]]) -> Any:
+    def covolume(self, elements: list[FieldElement], rows: list[list[int]]) -> flint.arb:
         """Return a ball around h·R times the index of the group that independent S-units span."""
         bits = 128
         while bits <= 1 << 16:
@@ -463,7 +466,7 @@ class SUnits:
         )
 
     @cached_property
-    def least_regulator(self) -> tuple[Any, str]:
+    def least_regulator(self) -> tuple[flint.arb, str]:
         """A proved lower bound for the regulator, and by whom."""
         known = self.known_regulator
         if self.n > 2 and self.rank:
@@ -473,7 +476,7 @@ class SUnits:
         return known
 
     @property
-    def known_regulator(self) -> tuple[Any, str]:
+    def known_regulator(self) -> tuple[flint.arb, str]:
         """A lower bound for the regulator that holds for all fields of the kind, and by whom."""
         if not self.rank:
             return flint.arb(1), "the unit rank is 0"
@@ -580,7 +583,7 @@ class SUnits:
             f"units of {shorten(self.frame.field.name)} were not shown to be saturated at {ell}"
         )
 
-    def _characters(self, ell: int) -> Iterator[Any]:
+    def _characters(self, ell: int) -> Iterator[Characters]:
         """Yield functions: ℓ-th power residue symbols of elements, as exponents, at primes of degree one."""
         below = {self.base[k].p for k in self.primes}
         for q in itertools.count(1 + ell, ell):
@@ -589,10 +592,7 @@ class SUnits:
                 continue
             logarithm = PowerResidues(ell, q)
             for root in roots:
-                yield lambda xs, q=q, r=root, f=logarithm: (
-                    (q, r),
-                    [f(residue(x, r, q)) for x in xs],
-                )
+                yield partial(_logarithms_at, logarithm, q, root)
 
     def root(self, x: FieldElement, ell: int) -> FieldElement | None:
         """Return y with y^ℓ = x, or None."""
@@ -700,12 +700,18 @@ def _conjugates(frame: MaximalOrder) -> flint.fmpz_mat:
     return flint.fmpz_mat(rows)
 
 
-def _rounded(x: Any, shift: int) -> int:
+def _logarithms_at(
+    logarithm: PowerResidues, q: int, root: int, xs: Sequence[FieldElement]
+) -> tuple[tuple[int, int], list[int]]:
+    return (q, root), [logarithm(residue(x, root, q)) for x in xs]
+
+
+def _rounded(x: flint.arb, shift: int) -> int:
     with precision(256):
         return int((x.mid() * flint.arb(2) ** shift).floor().unique_fmpz())
 
 
-def logarithms(frame: MaximalOrder, x: FieldElement, bits: int = 128) -> list[Any]:
+def logarithms(frame: MaximalOrder, x: FieldElement, bits: int = 128) -> list[flint.arb]:
     """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
     embeddings = frame.field.embeddings
     out = []
@@ -840,6 +846,6 @@ class _Span:
 
 
 @lru_cache(maxsize=256)
-def s_units(ring: Any) -> SUnits:
+def s_units(ring: NumberField) -> SUnits:
     """Return the S-units of a field, for primes S that generate its class group."""
     return SUnits(integers(ring))

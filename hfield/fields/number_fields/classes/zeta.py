@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 from operator import mul
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -24,6 +24,10 @@ from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import MaximalOrder, integers
 from hfield.fields.number_fields.integral_basis import element_of
 
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.fields.number_fields.ring import NumberField
+
 DIGITS = 64
 """Binary digits of conjugates that tell that a number is not totally positive."""
 MAX_ELEMENTS = 2_000_000
@@ -31,7 +35,7 @@ MAX_ELEMENTS = 2_000_000
 
 
 @lru_cache(maxsize=1024)
-def zeta_minus_one(ring: Any) -> Fraction:
+def zeta_minus_one(ring: NumberField) -> Fraction:
     """Return ζ_K(−1). Raises :class:`RingError` where K is not totally real, :class:`TooLargeError`."""
     frame = integers(ring)
     n = frame.n
@@ -99,7 +103,7 @@ class _Sums:
         with precision(2 * DIGITS):
             return [[_near(c * flint.arb(2) ** DIGITS) for c in row] for row in values]
 
-    def _different_exponents(self) -> Iterator[tuple[Any, int]]:
+    def _different_exponents(self) -> Iterator[tuple[PrimeIdeal, int]]:
         for p in factorise(int(self.different.norm())) if self.different.norm() != 1 else ():
             for prime in self.frame.field.primes_above(p):
                 e = min(prime.valuation(x) for x in self.different.basis)
@@ -136,7 +140,7 @@ class _Sums:
         return out
 
 
-def _near(x: Any) -> int:
+def _near(x: flint.arb) -> int:
     """Return an integer less than 1 away from what lies in a narrow ball."""
     assert x.rad() < 0.5
     return int((x.mid() + flint.arb(0.5)).mid().floor().unique_fmpz())
