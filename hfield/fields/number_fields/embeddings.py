@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -78,7 +78,7 @@ def square_root(field: NumberField, x: FieldElement) -> FieldElement | None:
 def _root_of_generator(
     field: NumberField, x: FieldElement, minimal: flint.fmpq_poly
 ) -> FieldElement | None:
-    doubled: list[Any] = []
+    doubled: list[flint.fmpq | int] = []
     for c in minimal.coeffs():
         doubled += [c, 0]
     factors = flint.fmpq_poly(doubled[:-1]).factor()[1]
@@ -105,7 +105,7 @@ def _tests(field: NumberField) -> list[tuple[int, flint.nmod_poly]]:
     whole = field.polynomial.numer()
     bad = int(whole.discriminant()) * int(whole.leading_coefficient())
     good = (p for p in primes() if p > 2 and bad % p)
-    out: list[tuple[int, Any]] = []
+    out: list[tuple[int, flint.nmod_poly]] = []
     for p in islice(good, REJECTING_PRIMES):
         modulus = flint.nmod_poly([int(c) % p for c in whole.coeffs()], p)
         factors = [g for g, _ in modulus.factor()[1]]

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from typing import Any
 
 import flint
 
@@ -189,7 +188,7 @@ def _lifts(field: NumberField, classes: Classes, signs: Sequence[int]) -> Iterat
             yield e
 
 
-def _representative(field: NumberField, classes: Classes) -> Any:
+def _representative(field: NumberField, classes: Classes) -> flint.fmpq_mat:
     """Return the coordinates in the integral basis of a number with the given classes."""
     n, residues = field.degree, []
     for p in {P.p for P in classes}:

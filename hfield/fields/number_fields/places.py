@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.primality import is_prime, primes
 from hfield.errors import HFieldError, RingError, shorten
@@ -33,7 +33,7 @@ class _InfinitePlace:
         return str(self)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The place as JSON data."""
         return {"kind": "real" if isinstance(self, RealPlace) else "complex", "number": self.index}
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -83,7 +83,7 @@ class PrimeIdeal:
         return int(self.p**self.f)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The ideal as JSON data: p, and the coefficients of the second generator unless p is inert."""
         element = None if self.is_inert else self.field.coordinates(self.pi)
         return {"kind": "prime ideal", "p": self.p, "element": element}
@@ -235,7 +235,7 @@ def general_primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
     return by_idempotents(order)
 
 
-def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[dict[str, Any]]:
+def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[dict[str, object]]:
     """Yield the ideal as data: p and g(θ), g the polynomial over GF(p) of the residue of an integer θ."""
     field, rng = prime.field, Random(1)
     for _ in range(count):

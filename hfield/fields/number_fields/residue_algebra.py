@@ -7,7 +7,7 @@ Where ℤ[s] is not maximal at p, its primitive idempotents tell the primes (Buc
 from __future__ import annotations
 
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -80,7 +80,7 @@ class _ResidueAlgebra:
     def lift(self, x: flint.nmod_mat) -> FieldElement:
         return self.order.element(int(c) for c in x.entries())
 
-    def span(self, rows: list[flint.nmod_mat]) -> Any:
+    def span(self, rows: list[flint.nmod_mat]) -> list[flint.nmod_mat]:
         """Return a basis, in reduced echelon form, of what rows span."""
         entries = [int(c) for row in rows for c in row.entries()]
         reduced, rank = flint.nmod_mat(len(rows), self.n, entries, self.p).rref()
@@ -146,7 +146,7 @@ def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> PrimeId
 
 def _residue_field(
     algebra: _ResidueAlgebra, epsilon: flint.nmod_mat, inside: list[flint.nmod_mat], f: int
-) -> tuple[Any, Any, Any]:
+) -> tuple[flint.nmod_poly, flint.nmod_mat, flint.nmod_mat]:
     """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
     p, n, rng = algebra.p, algebra.n, Random(1)
     project = algebra.matrix(epsilon)

@@ -44,9 +44,9 @@ class NamedNumber:
     """An algebraic number: its text, its minimal polynomial over ℚ, and its value with so many bits."""
 
     text: str
-    polynomial: Any
+    polynomial: flint.fmpq_poly
     value: Value
-    radicand: tuple[Any, int] | None = None  # (r, n) for the n-th root of r
+    radicand: tuple[flint.fmpq, int] | None = None  # (r, n) for the n-th root of r
 
 
 class SpelledField(NumberField):

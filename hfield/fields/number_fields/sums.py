@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 BITS = 256
 
-Value = Callable[[int], Any]
+Value = Callable[[int], flint.acb]
 
 
 def factor_at(polynomial: flint.fmpq_poly, value: Value) -> flint.fmpq_poly:

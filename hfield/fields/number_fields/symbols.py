@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
-from typing import Any
 
 import flint
 
@@ -219,7 +218,7 @@ def residue_symbol(prime: PrimeIdeal, u: FieldElement) -> int:
     return int(flint.fmpz(norm).jacobi(prime.p))
 
 
-def _norm(prime: PrimeIdeal, residue: Any) -> int:
+def _norm(prime: PrimeIdeal, residue: flint.fmpz_mod_poly) -> int:
     """Return the norm of a residue down to GF(p), as a power."""
     exponent = (prime.norm() - 1) // (prime.p - 1)
     return int(residue.pow_mod(exponent, prime.residue)[0])

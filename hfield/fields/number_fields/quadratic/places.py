@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -14,6 +14,7 @@ from hfield.fields.number_fields.places import ComplexPlace, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, general_primes_above
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.integers import LocalOrder
     from hfield.fields.number_fields.quadratic.ring import QuadraticField
@@ -79,7 +80,7 @@ class QuadraticPrime(PrimeIdeal):
         return self._general.idempotent
 
     @cached_property
-    def residue(self) -> Any:
+    def residue(self) -> Polynomial:
         """The polynomial over GF(p) that makes the residue field."""
         return self._general.residue
 
@@ -89,7 +90,7 @@ class QuadraticPrime(PrimeIdeal):
         return self._general.residue_gen
 
     @cached_property
-    def _images(self) -> Any:
+    def _images(self) -> flint.nmod_mat:
         return self._general._images
 
     # --- texts and data --------------------------------------------------------------------------
@@ -113,7 +114,7 @@ class QuadraticPrime(PrimeIdeal):
         return str(self.p) if self.root is None else f"({self.p}, {gen}-{self.root})"
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The ideal as JSON data: p, with the root where there are two."""
         if self.root is None:
             return {"kind": "number", "n": self.p}
@@ -188,7 +189,7 @@ class QuadraticComplexPlace(ComplexPlace):
     """The infinite place of an imaginary quadratic field, "inf"."""
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The place as JSON data."""
         return {"kind": "infinity"}
 
