@@ -14,7 +14,8 @@ from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
 
 if TYPE_CHECKING:
-    from hfield.fields.base.ring import Ring
+    from hfield.fields.base.flint_types import Coefficient, Polynomial
+    from hfield.fields.base.ring import Core, E, WithSquares
 
 MAX_DEGREE = 2_000
 MAX_LIFTS = 10_000
@@ -116,7 +117,7 @@ def _need_small(coefficients: Sequence[Scalar]) -> None:
         raise UndecidedError(f"roots are not computed above the degree {MAX_DEGREE}")
 
 
-def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
+def by_square_roots(ring: WithSquares[E], coefficients: Sequence[E]) -> list[list[E]]:
     """Factor a polynomial of degree 1 or 2, or of degree 4 in x², over a field whose squares are known.
 
     In characteristic 0 the condition is on the squarefree part of the polynomial.
@@ -162,23 +163,25 @@ def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
     return [[*c, one]]
 
 
-def monic(ring: Ring, coefficients: Sequence[Any]) -> list[Any]:
+def monic(ring: Core[E], coefficients: Sequence[E]) -> list[E]:
     """Return the coefficients of a polynomial that is not 0, divided by the last that is not 0."""
     c = stripped(ring, coefficients)
     back = ring.inverse(c[-1])
     return [x * back for x in c[:-1]] + [ring.one]
 
 
-def distinct(ring: Ring, factors: list[list[Any]]) -> list[list[Any]]:
+def distinct(ring: Core[E], factors: list[list[E]]) -> list[list[E]]:
     """Return factors without those that come again."""
-    found: list[list[Any]] = []
+    found: list[list[E]] = []
     for f in factors:
         if not any(len(f) == len(g) and all(map(ring.equal, f, g)) for g in found):
             found.append(f)
     return found
 
 
-def of_flint(ring: Ring, polynomial: Any, read: Callable[[Any], Any]) -> list[list[Any]]:
+def of_flint(
+    ring: Core[E], polynomial: Polynomial, read: Callable[[Coefficient], E]
+) -> list[list[E]]:
     """Return the factors that flint finds of a polynomial, their coefficients read by the ring."""
     return [
         monic(ring, [read(factor[n]) for n in range(factor.degree() + 1)])
@@ -186,10 +189,10 @@ def of_flint(ring: Ring, polynomial: Any, read: Callable[[Any], Any]) -> list[li
     ]
 
 
-def divided(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+def divided(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> tuple[list[E], list[E]]:
     """Return quotient and remainder, [] for 0, by a polynomial g whose last coefficient is not 0."""
     rest, back = list(f), ring.inverse(g[-1])
-    quotient: list[Any] = []
+    quotient: list[E] = []
     while len(rest) >= len(g):
         quotient.append(rest[-1] * back)
         for k, x in enumerate(g, len(rest) - len(g)):
@@ -198,7 +201,7 @@ def divided(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> tuple[list[Any], 
     return quotient[::-1], stripped(ring, rest)
 
 
-def multiplied(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+def multiplied(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
     """Return the product of two polynomials."""
     out = [ring.zero] * max(len(f) + len(g) - 1, 0)
     for m, x in enumerate(f):
@@ -207,26 +210,26 @@ def multiplied(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
     return out
 
 
-def added(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+def added(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
     """Return f + g."""
     return stripped(ring, [x + y for x, y in zip_longest(f, g, fillvalue=ring.zero)])
 
 
-def quadratic_divisors(ring: Ring, f: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+def quadratic_divisors(ring: WithSquares[E], f: Sequence[E]) -> Iterator[tuple[E, E]]:
     """Run through the (t, n) for which x² − t·x + n divides a polynomial over a field, not 0, each once."""
     factors = ring.irreducible_factors(f)
     yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
     roots = [-g[0] for g in factors if len(g) == 2]
     yield from ((r + s, r * s) for r, s in combinations(roots, 2))
     for r in roots:
-        slope: Any = ring.zero
+        slope: E = ring.zero
         for n, c in reversed(list(enumerate(f))[1:]):
             slope = slope * r + c * ring(n)
         if ring.is_zero(slope):
             yield r + r, r * r
 
 
-def substituted(ring: Ring, f: Sequence[Any], shift: Any) -> list[Any]:
+def substituted(ring: Core[E], f: Sequence[E], shift: E) -> list[E]:
     """Return f(x + shift)."""
     line, out = [shift, ring.one], [ring.zero]
     for c in reversed(f):
@@ -235,7 +238,7 @@ def substituted(ring: Ring, f: Sequence[Any], shift: Any) -> list[Any]:
     return stripped(ring, out)
 
 
-def stripped(ring: Ring, f: Sequence[Any]) -> list[Any]:
+def stripped(ring: Core[E], f: Sequence[E]) -> list[E]:
     """Return the coefficients without zeros at the end."""
     out = list(f)
     while out and ring.is_zero(out[-1]):
@@ -243,7 +246,7 @@ def stripped(ring: Ring, f: Sequence[Any]) -> list[Any]:
     return out
 
 
-def common_divisor(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+def common_divisor(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
     """Return the monic greatest common divisor, [] of two polynomials that are 0."""
     one, two = stripped(ring, f), stripped(ring, g)
     while two:
@@ -251,7 +254,7 @@ def common_divisor(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
     return monic(ring, one) if one else []
 
 
-def monic_root(field: Any, f: Sequence[Any]) -> list[Any] | None:
+def monic_root(field: Core[E], f: Sequence[E]) -> list[E] | None:
     """Return the monic g with g² = f for a monic f over a field, low degree first, or None.
 
     The characteristic is not 2: from the highest coefficient down, each of f gives one of g.
