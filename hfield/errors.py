@@ -123,6 +123,17 @@ class UndecidedError(HFieldError, ArithmeticError):
     """
 
 
+class AbsentError(HFieldError, AttributeError):
+    """An attribute that others of the class have and this object lacks, such as a generator.
+
+    It is an AttributeError, so that ``getattr`` with a default and ``hasattr`` work.
+
+    >>> from hfield import QQ
+    >>> getattr(QQ, "gen", None), hasattr(QQ, "gen")
+    (None, False)
+    """
+
+
 class NoSolutionError(HFieldError, ValueError):
     """Linear equations without a solution; ``witness`` is a vector that shows it.
 

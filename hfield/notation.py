@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
 from hfield.fields.base.ring import Ring
+from hfield.fields.base.variables import names_in
 from hfield.fields.names import ring
 from hfield.syntax.brackets import outside, split
 from hfield.syntax.other_systems import read
@@ -28,9 +29,12 @@ UNNAMED = "F"
 def split_algebra(text: str) -> tuple[str, str, str, str]:
     """Split an algebra's text into the texts of ``a, t, b`` and of the ring.
 
-    Raises :class:`NotationError` when it has not one of the four forms.
+    ``ℍ`` without a field is Hamilton's over ℝ. Raises :class:`NotationError` when the text has not one of the
+    four forms.
     """
     s = read(text) or text.strip().replace("–", "-")
+    if _HAMILTON.fullmatch(s):
+        s = "H(RR)"
     s = _HAMILTON.sub("H", s)
     if m := _FRACTION.fullmatch(s):
         s = f"({m[1]}|{m[2]})"
@@ -67,6 +71,20 @@ def parse_algebra(text: str) -> tuple[Ring, Constants]:
         return F, Constants(F(a), F(t), F(b))
     except (CoercionError, NotInvertibleError) as error:
         raise NotationError(f"in {shorten(text)!r}: {error}") from error
+
+
+def generic(text: str) -> str:
+    """Return ``(a,b|F)`` as ``(a,b|QQ(a,b))``, the algebra with variables for constants; others unchanged.
+
+    >>> generic("(a,b|F)"), generic("(-1,-1|F)")
+    ('(a,b|QQ(a,b))', '(-1,-1|F)')
+    """
+    a, t, b, field = split_algebra(text)
+    letters = sorted(names_in(f"{a} {t} {b}"))
+    if field != UNNAMED or not letters:
+        return text
+    head, _, _ = text.rpartition("|")
+    return f"{head}|QQ({','.join(letters)}))"
 
 
 def algebra_text(F: Ring, c: Constants) -> str:

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import H, QuaternionAlgebra, ring
 from hfield.hints import (
     ALGEBRA,
     CLASSES,
@@ -112,7 +112,8 @@ def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():
         "J": order.left_ideal([3]),
         "G": G,
     }
-    names |= {"QuaternionAlgebra": QuaternionAlgebra, "hilbert_symbol": hilbert_symbol}
+    names |= {"QuaternionAlgebra": QuaternionAlgebra, "hilbert_symbol": hilbert_symbol, "H": H}
+    names |= dict(zip("ij", A.basis[1:], strict=False))
     names |= {"ring": ring, "elements": [1, "i", "j", "k"]}
     for there, here in CALLS.items():
         x = G.generators[0] if "G." in here else A.basis[1]

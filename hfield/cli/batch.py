@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -14,6 +15,7 @@ from hfield.cli.output import Sink, encodable, open_output
 from hfield.cli.parser import UsageError, add_format
 from hfield.errors import HFieldError, shorten
 
+_SIGN = re.compile(r"[+*/^=<>!]+")
 LINES = ("jsonl", "csv")  # the formats that write an answer a line
 WORST = (0, 1, 3, 2)  # exit statuses, from the one that any other hides to the one that hides all
 
@@ -63,7 +65,12 @@ def answer_all(
 
 
 def check_given(args: Namespace) -> None:
-    """Raise :class:`UsageError` where there is no input."""
+    """Raise :class:`UsageError` where there is no input, or one that the shell has split at blanks."""
+    if any(_SIGN.fullmatch(word) for word in args.inputs):
+        whole = " ".join(args.inputs)
+        raise UsageError(
+            f"the shell has split the input at its blanks: quote it, as in '{shorten(whole)}'"
+        )
     if not args.inputs and args.source is None:
         raise UsageError(f"expected {args.wanted}, --from FILE, or - for standard input")
 

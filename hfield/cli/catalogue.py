@@ -65,6 +65,7 @@ LINES_OF_OTHER_NAMES = {
     "factor": "hfield roots 'x^2+1'",
     "units": "hfield order 2 --units",
     "test": "hfield verify",
+    "version": "hfield --version",
     "rotate": "python, with the package rotation",
 }
 """Names that are no commands, with the line to type instead."""

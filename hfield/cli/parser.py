@@ -110,14 +110,12 @@ class Parser(ArgumentParser):
             if word == "--" and not self._takes_the_rest(words[:n]):
                 return [*marked, *words[n:]]
             expression = word.startswith("-") and word != "-" and not self._is_option(word)
-            if word == "-f" and self._has_field_to_come(words[n + 1 :]):
+            if word == "-f" and words[n + 1 :] and _is_field(words[n + 1]):
+                if "--field" not in self._option_string_actions:
+                    self.error("unknown option '-f': this command has no --field")
                 word, expression = "--field", False
             marked.append(f" {word}" if expression else word)
         return marked
-
-    def _has_field_to_come(self, words: Sequence[str]) -> bool:
-        """Tell whether the next word names a field, for a command that takes one."""
-        return "--field" in self._option_string_actions and bool(words) and _is_field(words[0])
 
     def _takes_the_rest(self, words: Sequence[str]) -> bool:
         """Say whether an option among the words takes all that follows, also a ``--``."""
@@ -135,6 +133,8 @@ class Parser(ArgumentParser):
                 self.error(f"-o names the output: write -o {shorten(word)}")
             self.error(f"did not expect {shorten(word)!r} (is it a part to be quoted?)")
         name = word.partition("=")[0]
+        if name in self._option_string_actions:
+            self.error(f"{name} stands after --, where no options are read: write it before the --")
         hint = suggest(name, (s for s in self._option_string_actions if s.startswith("--")))
         self.error(f"unknown option {shorten(name)!r}" + (f": {hint}" if hint else ""))
 
@@ -157,9 +157,15 @@ def _is_field(word: str) -> bool:
 def _take_field(args: Namespace) -> None:
     """Take a field or an algebra after the inputs for the options of this name: ``roots 'x^2+1' GF7``."""
     inputs = getattr(args, "inputs", None)
-    if not isinstance(inputs, list) or len(inputs) < 2 or not hasattr(args, "field"):
+    if not isinstance(inputs, list) or not inputs or not hasattr(args, "field"):
         return
     if args.field is not None or getattr(args, "algebra", None) is not None:
+        return
+    if len(inputs) == 1:
+        if _is_field(inputs[0]):
+            raise UsageError(
+                f"{shorten(inputs[0])} is a ring: expected {args.wanted} before it; hfield info describes it"
+            )
         return
     if _is_field(inputs[-1]):
         args.field = inputs.pop()

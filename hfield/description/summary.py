@@ -17,7 +17,7 @@ from hfield.fields import quadratic_forms
 from hfield.fields.base.ring import INFINITY, Ring, WithIntegers
 from hfield.fields.names import RingName
 from hfield.fields.quadratic_forms.global_field import global_field
-from hfield.notation import element_text
+from hfield.notation import element_text, generic
 from hfield.orders.lattice import Order
 
 SCHEMA = "hfield-info/1"
@@ -163,7 +163,10 @@ def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None
 
 
 def algebra_named(by: QuaternionAlgebra | RingName) -> QuaternionAlgebra:
-    """Return an algebra as it is, or of its text, H(F) of F or its text, or the one of a discriminant."""
+    """Return an algebra as it is, or of its text, H(F) of F or its text, or the one of a discriminant.
+
+    ``(a,b|F)``, for every F, is the algebra with variables for constants, over ``QQ(a,b)``.
+    """
     if isinstance(by, QuaternionAlgebra):
         return by
     if isinstance(by, str):
@@ -171,6 +174,7 @@ def algebra_named(by: QuaternionAlgebra | RingName) -> QuaternionAlgebra:
             return QuaternionAlgebra(int(by))
         with suppress(RingError):
             return H(by)
+        by = generic(by)
     return QuaternionAlgebra(by) if isinstance(by, (int, str)) else H(by)
 
 

@@ -41,6 +41,7 @@ _SYMBOLS = str.maketrans(
         "×": "*",
     }
 )
+_ALGEBRA = re.compile(r"(?:H|ℍ|\\mathbb\{?H\}?)(?:\(.*\))?|[(\[].*\|.*\)")
 _BLACKBOARD = re.compile(r"\\mathbb\{?([QZRCF])\}?")
 _BLACKBOARD_NAMES = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC", "F": "GF"}
 _ROOT = re.compile(r"\\sqrt\{([^{}]*)\}")
@@ -118,6 +119,11 @@ def build(text: str) -> Ring:
     s = re.sub(r"[₀-₉]+(?!\w)", lambda m: f"_{m[0].translate(_LOWERED)}", s)
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
+    if _ALGEBRA.fullmatch(s):
+        raise RingError(
+            f"{shorten(s)!r} is a quaternion algebra; expected a ring, such as GF(7). On the command line "
+            "--algebra takes an algebra"
+        )
     if unknown := next((char for char in s if not (char.isascii() or char == "∞")), None):
         raise RingError(f"{shorten(s)!r}: {unknown!r} is not a sign that names of rings have")
     below, place = _completed(s)

@@ -36,7 +36,7 @@ from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified, square_class
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
 from hfield.fields.rationals.places import INFINITE
-from hfield.fields.rationals.rational_numbers import RationalNumber
+from hfield.fields.rationals.rational_numbers import RationalNumber, rational_number
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -524,11 +524,11 @@ class RationalIntegers:
         return fmpq(value.numerator, value.denominator)
 
     def outside(self, x: fmpq) -> RationalNumber:
-        return RationalNumber(x)
+        return rational_number(x)
 
     def shown_norm(self, lattice: LatticeValue) -> RationalNumber:
         # as norm, which is a Fraction, and slower to make
-        return RationalNumber(lattice.content, lattice.ambient.scale * lattice.den**2)
+        return rational_number(lattice.content, lattice.ambient.scale * lattice.den**2)
 
     def shown_index(self, ideal: Fraction | int) -> int | Fraction:
         return ideal.numerator if ideal.denominator == 1 else ideal

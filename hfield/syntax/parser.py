@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from hfield.errors import NotationError
 from hfield.syntax.products import MAX_DEPTH
-from hfield.syntax.spelling import MAX_LENGTH
+from hfield.syntax.spelling import MAX_LENGTH, NAMES_OF_FUNCTIONS
 from hfield.syntax.tree import (
     ORDER,
     Binary,
@@ -53,6 +53,7 @@ _MENDS = {
     ";": "join statements by and",
 }
 _JOINS = {"implies": "=>", "then": "=>", "iff": "<=>"}
+_COMMAND = re.compile(r"\\[A-Za-z]+")
 _FOR_ALL = ("forall", "all", "every", "for")
 
 
@@ -92,6 +93,8 @@ class _TreeParser:
                 bad = text[position]
                 mend = _MENDS.get(bad, "expected a number, a name, an operator or a parenthesis")
                 mend = "write an ordinary blank" if bad.isspace() else mend
+                if command := _COMMAND.match(text, position):
+                    bad, mend = command[0], "this command of LaTeX is not known here"
                 raise NotationError(f"cannot read {bad!r}: {mend}", self.text, position)
             kind = m.lastgroup or ""
             tokens.append((kind, m[kind], m.start(kind)))
@@ -132,6 +135,10 @@ class _TreeParser:
             return ": write h => goal for “if h then goal”"
         if self.token in _JOINS:
             return f": write {_JOINS[self.token]}"
+        if self.token == ",":
+            return ": join statements by and"
+        if before in NAMES_OF_FUNCTIONS and self.kind in ("name", "number"):
+            return f": write {before}({self.token})"
         if (
             (self.kind != "name" and self.token != "(")
             or self.token in _WORDS
@@ -262,4 +269,6 @@ class _TreeParser:
             self.need(")", "to close a parenthesis")
             return node
         found = repr(token) if token else "the end of the text"
-        self.fail(f"expected a number, a name or '(', found {found}")
+        before = self.tokens[self.index - 1][1] if self.index else ""
+        conjugate = "; the conjugate of q is conj(q)" if before == "*" else ""
+        self.fail(f"expected a number, a name or '(', found {found}{conjugate}")

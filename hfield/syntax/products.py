@@ -205,7 +205,7 @@ class _ProductWriter:
         terms, signs = _split(items, _COMPARISONS)
         sides = [self.term(term) for term in terms]
         operators = [sign.text for sign in signs]
-        if len(signs) < 2 or "!=" in operators or not all(side.text.strip() for side in sides):
+        if len(signs) < 2 or "!=" in operators:
             written = [sides[0]]
             for sign, side in zip(signs, sides[1:], strict=True):
                 written += [sign.letters, side]
@@ -214,6 +214,15 @@ class _ProductWriter:
             pairs = [(side, "==", sides[-1]) for side in sides[:-1]]
         else:
             pairs = list(zip(sides, operators, sides[1:], strict=False))
+        for n, side in enumerate(map(Letters.strip, sides)):  # errors that name what was typed
+            if not side.text:
+                place = signs[max(n - 1, 0)].place
+                where = "after" if n else "before"
+                self.fail(f"expected a number, a name or '(' {where} {self.source[place]!r}", place)
+            if side.text[-1] in "+-*/^":
+                self.fail(
+                    f"expected a number, a name or '(' after {side.text[-1]!r}", side.places[-1]
+                )
         chain = Letters("", ())
         for left, operator, right in pairs:
             chain = chain + " and " if chain.text else chain

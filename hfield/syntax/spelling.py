@@ -59,7 +59,8 @@ _BAR = re.compile(f"({_LETTER})[\u0304\u0305]")
 _OPERAND_START, _OPERAND_END = re.compile(r"[\w(]"), re.compile(r"[\w)]$")
 _COMPARISON = re.compile(r"[=<>!]|\b(?:and|or|not)\b")
 _BAR_OF_GROUP = re.compile("\\)[\u0304\u0305]")
-_ALL_FUNCTIONS = "|".join({*_FUNCTIONS, *_FUNCTIONS.values(), *_OTHER_FUNCTIONS})
+NAMES_OF_FUNCTIONS = {*_FUNCTIONS, *_FUNCTIONS.values(), *_OTHER_FUNCTIONS}
+_ALL_FUNCTIONS = "|".join(NAMES_OF_FUNCTIONS)
 _NAME_OF_FUNCTION = re.compile(rf"(?:\b|(?<=\d)|(?<=[a-z])(?=N\s*$))({_ALL_FUNCTIONS})\s*$")
 _COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
@@ -217,7 +218,14 @@ def _mixed(text: str, number: str, fraction: str) -> NotationError:
 
 
 def _power(found: re.Match[str]) -> tuple[str, ...]:
-    """Return a power; a digit behind it does not belong to the exponent."""
+    """Return a power; a digit behind it does not belong to the exponent.
+
+    Raises :class:`NotationError` for ``²⁻¹``.
+    """
+    if "⁻" in found[1][1:] or found[1] == "⁻":
+        raise NotationError(
+            f"{shorten(found[1])} is no integer: an exponent is one, such as ² or ⁻¹"
+        )
     return ("**" + found[1].translate(_TO_DIGITS), " " if found[2] else "")
 
 

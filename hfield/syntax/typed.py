@@ -6,12 +6,15 @@ rewritten text; they are reported at the position in the typed text.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from re import Match, Pattern
 
 from hfield.errors import NotationError
+
+_SIGN_READ = re.compile(r"[=<>!]+|\*\*|and|or|not")
 
 
 @dataclass(frozen=True)
@@ -98,6 +101,15 @@ class Typed:
         """Return the offset in the typed text of an offset in the text that is read."""
         return self.places[position] if position < len(self.places) else len(self.source.rstrip())
 
+    def in_typed_letters(self, reason: str, position: int) -> str:
+        """Return the reason of an error with the sign at fault as it was typed: ``=`` for ``==``."""
+        found = _SIGN_READ.match(self.text, position)
+        if found is None or repr(found[0]) not in reason:
+            return reason
+        last = self.places[found.end() - 1]
+        typed = self.source[self.places[position] : last + 1]
+        return reason.replace(repr(found[0]), repr(typed))
+
     @classmethod
     def implication(cls, parts: Sequence[Typed]) -> Typed:
         """Return the statement in which all parts but the last are hypotheses of the last."""
@@ -126,6 +138,7 @@ def reported_as_typed(*texts: Typed) -> Iterator[None]:
             if error.position is not None and error.text.strip() == typed.text.strip():
                 # an analysis may have dropped blanks in front
                 blanks = typed.text.find(error.text.strip()) - error.text.find(error.text.strip())
-                place = typed.place(error.position + blanks)
-                raise NotationError(error.reason, typed.source, place) from None
+                position = error.position + blanks
+                reason = typed.in_typed_letters(error.reason, position)
+                raise NotationError(reason, typed.source, typed.place(position)) from None
         raise

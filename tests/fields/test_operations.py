@@ -8,7 +8,7 @@ from itertools import islice, product
 import numpy as np
 import pytest
 
-from hfield.errors import HFieldError
+from hfield.errors import AbsentError, HFieldError
 from hfield.fields.base.roots import rational_roots, residue_roots
 from hfield.fields.finite.galois_arrays import of_labels
 from hfield.fields.names import ring
@@ -246,3 +246,20 @@ def test_quotients_of_polynomials_in_several_variables() -> None:
     assert F.equal(F("1/x + 1/y"), F("(x + y)/(x*y)"))
     assert not F.equal(F("x/y"), F("y/x"))
     assert F.text(F("(2*x)/(2*y)")) == F.text(F("x/y"))
+
+
+@pytest.mark.parametrize(
+    "name", ["QQ", "ZZ", "RR", "CC", "RDF", "GF(7)", "GF(9)", "QQ(sqrt(2))", "QQ(x)", "Qp(5)"]
+)
+def test_roots_of_python_numbers_and_texts(name):
+    F = ring(name)
+    for four in (4, Fraction(4), "4"):
+        assert F.is_square(four)
+        assert F.equal(F.sqrt(four) ** 2, F(4))
+
+
+@pytest.mark.parametrize("name", ["QQ", "ZZ", "RR", "RDF", "ZZ/6", "GF(7)", "Qp(5)"])
+def test_a_ring_without_a_generator_lacks_the_attribute(name):
+    assert not hasattr(ring(name), "gen")
+    with pytest.raises(AbsentError, match="has no generator"):
+        ring(name).gen  # noqa: B018

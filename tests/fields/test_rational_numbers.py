@@ -4,6 +4,7 @@ import math
 import numbers
 import operator
 import pickle
+import statistics
 from fractions import Fraction
 
 import flint
@@ -126,3 +127,10 @@ def test_integers_of_other_kinds_are_exponents(n) -> None:
         q ** "2"
     with pytest.raises(TypeError):
         K.gen ** Fraction(1, 2)
+
+
+def test_means_and_formats_of_norms():
+    norms = [H(QQ)(1, 2, 3, 4).norm(), H(QQ)("1/2").norm()]
+    assert statistics.mean(norms) == Fraction(121, 8)
+    assert type(RationalNumber(Fraction(1, 3))) is RationalNumber
+    assert f"{norms[0]:.1f} {norms[0] / 7:.3f} {norms[1]:>5}" == "30.0 4.286   1/4"

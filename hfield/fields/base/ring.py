@@ -12,13 +12,14 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, wraps
 from random import Random
 from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
 
 from hfield import syntax
 from hfield.core.product import Constants, Scalar
 from hfield.errors import (
+    AbsentError,
     CoercionError,
     NotFiniteError,
     NotInvertibleError,
@@ -196,8 +197,8 @@ class Core(ABC, Generic[E]):
 
     @property
     def gen(self) -> E:
-        """The generator: the class of x, the square root, the variable."""
-        raise UndecidedError(f"{self.name} has no generator")
+        """The generator: the class of x, the square root, the variable. Raises :class:`AbsentError`."""
+        raise AbsentError(f"{self.name} has no generator")
 
     def text(self, x: E, style: str = "plain") -> str:
         """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
@@ -336,10 +337,26 @@ class Enumerated(Core[E]):
         return self(rng.randint(-9, 9))
 
 
+def _of_numbers_too(method: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return a method of elements that takes what the ring reads too: ints, Fractions and texts."""
+
+    @wraps(method)
+    def of_value(self: Core[Any], x: Any) -> Any:
+        return method(self, self(x) if isinstance(x, int | Fraction | str) else x)
+
+    return of_value
+
+
 class WithSquares(Core[E]):
     """What is known of squares, of roots, and of orderings, which hang on them."""
 
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        for name in ("sqrt", "is_square"):
+            if name in vars(cls):
+                setattr(cls, name, _of_numbers_too(vars(cls)[name]))
 
     @property
     def level(self) -> Fact:

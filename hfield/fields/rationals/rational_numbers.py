@@ -10,12 +10,23 @@ import math
 import numbers
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from flint import fmpq, fmpz
 
 
-class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
+class _OfFractions(type):
+    """Makes a class that is called with Fractions too, as ``statistics.mean`` does.
+
+    An ``__init__`` would do it too, and make every norm slower.
+    """
+
+    def __call__(cls, *numbers: object) -> Any:
+        return super().__call__(*map(_of_python, numbers))
+
+
+class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # flint has no types
     """A rational number; it equals, hashes and compares as ints and Fractions do.
 
     >>> from math import gcd, isqrt
@@ -67,6 +78,8 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
     def __format__(self, specification: str) -> str:
         if specification and self.q == 1:
             return format(int(self.p), specification)
+        if specification[-1:] in tuple("eEfFgG%"):
+            return format(float(self), specification)
         return format(str(self), specification)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -119,7 +132,7 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
         number = _rational(exponent)
         if number is None:
             return NotImplemented
-        return RationalNumber(fmpq.__pow__(self, RationalNumber(number).__index__()))
+        return rational_number(fmpq.__pow__(self, rational_number(number).__index__()))
 
     def __rpow__(self, base: Any) -> Any:
         return NotImplemented if _rational(base) is None else base ** self.__index__()
@@ -132,7 +145,7 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
 
         def operation(self: RationalNumber, other: object) -> Any:
             found = of_flint(self, _of_python(other))
-            return RationalNumber(found) if type(found) is fmpq else found
+            return rational_number(found) if type(found) is fmpq else found
 
         operation.__name__ = name
         return operation
@@ -165,16 +178,18 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
     del _operation, _comparison
 
     def __neg__(self) -> RationalNumber:
-        return RationalNumber(-self.p, self.q)
+        return rational_number(-self.p, self.q)
 
     def __pos__(self) -> RationalNumber:
         return self
 
     def __abs__(self) -> RationalNumber:
-        return RationalNumber(abs(self.p), self.q)
+        return rational_number(abs(self.p), self.q)
 
 
 numbers.Rational.register(RationalNumber)
+rational_number: Callable[..., RationalNumber] = partial(type.__call__, RationalNumber)
+"""Make a rational number of one or two ints or numbers of flint."""
 
 
 def _of_python(x: object) -> object:
@@ -196,9 +211,9 @@ def _rational(x: object) -> fmpq | None:
 def _floor(x: fmpq, y: fmpq) -> int:
     if not y:
         raise ZeroDivisionError(f"division of {x} by 0")
-    return math.floor(RationalNumber(fmpq.__truediv__(x, y)))
+    return math.floor(rational_number(fmpq.__truediv__(x, y)))
 
 
 def _divmod(x: fmpq, y: fmpq) -> tuple[int, RationalNumber]:
     quotient = _floor(x, y)
-    return quotient, RationalNumber(x - quotient * y)
+    return quotient, rational_number(x - quotient * y)

@@ -19,7 +19,7 @@ from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.roots import of_flint, rational_roots
 from hfield.fields.base.storage.base import Batch, Storage
 from hfield.fields.base.value_ring import ValueRing
-from hfield.fields.rationals.rational_numbers import RationalNumber
+from hfield.fields.rationals.rational_numbers import rational_number
 
 if TYPE_CHECKING:
     import numpy as np
@@ -233,7 +233,7 @@ class Rationals(_Ordered):
         """Store elements as four ints over one denominator."""
         from hfield.fields.base.storage.fractions import FractionStorage
 
-        return FractionStorage(self, constants, (0,), lambda x: (x,), RationalNumber)
+        return FractionStorage(self, constants, (0,), lambda x: (x,), rational_number)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
