@@ -1,3 +1,4 @@
+from . import compat as compat
 from .alignment import Similarity as Similarity
 from .alignment import align as align
 from .alignment import align_points as align_points

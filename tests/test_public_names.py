@@ -25,7 +25,7 @@ NAMES = {
         BSpline DTypeError ForeignArrayError LETTER_T R2 R_x R_y R_z RigidTransform Rotation RotationError
         RotationSpline Screw Similarity Slerp Squad T_q Uncertain ZeroRotationError ad align align_points
         align_similarity angular_velocity benchmark change_of_axes convert_points convert_rotation
-        convert_transform draw_plane exact_group exact_matrix from_exact hat integrate
+        compat convert_transform draw_plane exact_group exact_matrix from_exact hat integrate
         inverse_left_jacobian inverse_right_jacobian left_jacobian look_at reflect2 reflection
         right_jacobian rotate rotate2 rotate_euler rotate_quat sclerp slerp squad swing_twist threads
         vee warm_up

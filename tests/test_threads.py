@@ -18,7 +18,14 @@ pytestmark = pytest.mark.slow
 
 PROCESSES = cases(20)
 SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
-NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}
+NO_CALLS = {
+    "DTypeError",
+    "ForeignArrayError",
+    "RotationError",
+    "ZeroRotationError",
+    "Screw",
+    "compat",
+}
 COMPILES_ALL = {"warm_up"}
 DRAWS_OR_TIMES = {"LETTER_T", "benchmark", "draw_plane", "plot"}
 # Attributes of a quaternion that compute nothing with an array.

@@ -1,6 +1,8 @@
 """Mistakes that people make: each message says what was wrong, what was expected, and what to write."""
 
+import runpy
 import shlex
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -172,3 +174,13 @@ def test_a_field_with_a_large_discriminant_takes_its_primes():
     p, q = 10**30 + 57, 10**31 + 33
     name = f"QQ(sqrt({p * q}))"
     assert ring(name, factors=[p]).name == name
+
+
+def test_first_tasks_are_answered():
+    """Cheap ones; scripts/try_first_tasks.py tries all sixty."""
+    path = Path(__file__).parents[2] / "scripts" / "try_first_tasks.py"
+    tasks = runpy.run_path(str(path), run_name="tasks")
+    for line, expected in tasks["STUDENT"]:
+        if "prove" in line or "eval" in line:
+            came, foreign = tasks["answer"](line)
+            assert (expected in came, foreign) == (True, ""), line

@@ -185,7 +185,7 @@ ARRAYS = {
 }  # fmt: skip
 # without arrays of numbers among their arguments
 WITHOUT = {
-    "LETTER_T", "Screw", "Similarity", "align", "benchmark", "change_of_axes", "convert_rotation",
+    "LETTER_T", "Screw", "Similarity", "align", "benchmark", "compat", "change_of_axes", "convert_rotation",
     "convert_transform", "exact_group", "exact_matrix", "from_exact", "threads", "warm_up",
 }  # fmt: skip
 

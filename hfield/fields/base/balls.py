@@ -1,7 +1,6 @@
 """Numbers enclosed in flint's balls: what can be read off an enclosure that may be made ever smaller."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 import flint
@@ -15,11 +14,29 @@ Enclosure = Callable[[int], Any]  # bits of working precision ↦ a complex ball
 _lock = locks.lock()
 
 
-@contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """Work with so many bits, one thread at a time: flint has one precision for all of them."""
-    with _lock, flint.ctx.workprec(bits):
-        yield
+class precision:  # noqa: N801  # it is used as a function
+    """Work with so many bits, one thread at a time: flint has one precision for all of them.
+
+    Class groups of small fields enter it a hundred times: a generator would cost them a twentieth.
+    """
+
+    __slots__ = ("before", "bits")
+
+    def __init__(self, bits: int) -> None:
+        self.bits = bits
+
+    def __enter__(self) -> None:
+        _lock.acquire()
+        try:
+            self.before = flint.ctx.prec
+            flint.ctx.prec = self.bits
+        except BaseException:
+            _lock.release()
+            raise
+
+    def __exit__(self, *error: object) -> None:
+        flint.ctx.prec = self.before
+        _lock.release()
 
 
 def fingerprint(enclosure: Enclosure) -> tuple[int, int]:
