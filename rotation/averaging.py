@@ -10,7 +10,7 @@ import operator
 import numpy as np
 
 from rotation.array_types import Array, ArrayLike, Axes
-from rotation.coordinates import factor
+from rotation.coordinates import factor, join, unit
 from rotation.errors import RotationError
 from rotation.geodesic_median import geodesic_median
 from rotation.namespaces import (
@@ -23,7 +23,8 @@ from rotation.namespaces import (
     spread,
 )
 from rotation.optimum import with_derivatives, without_derivatives
-from rotation.quaternions import canonical, normalised
+from rotation.quaternions import canonical, normalised, upright
+from rotation.rowwise import Formula
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
 _EPS = float(np.finfo(np.float64).eps)
@@ -39,31 +40,45 @@ def mean(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None) -
         the largest eigenvalue is double, so that no mean is better than another.
     """
     if axis is None and type(q) is np.ndarray and q.size:
-        xp = namespace(q, weights)
-        w = weights if weights is None else floats(weights, "weights", xp)
-        if w is None or (is_numpy(xp) and w.shape == q.shape[:-1]):
-            best = _of_all(q.reshape(-1, 4), w if w is None else w.reshape(-1))
-            if best is not None:
-                return best
+        best = None
+        if weights is None:
+            best = _of_all(q.reshape(-1, 4), None)
+        elif is_numpy(xp := namespace(q, weights)):
+            w = floats(weights, "weights", xp)
+            if w.shape == q.shape[:-1]:
+                best = _of_all(q.reshape(-1, 4), w.reshape(-1))
+        if best is not None:
+            return best
     return _weighted(q, weights, axis)
 
 
 @quiet
 def _of_all(q: Array, w: Array | None) -> Array | None:
     """The mean of quaternions (n, 4), or None where there is none or a number is not such as is usual."""
+    total = float(len(q))
     if w is None:
-        moment = (q.T @ q) / len(q)
+        moment = q.T @ q
     else:
         total = float(w.sum())
         if not (w.min() >= 0.0 and 1e-100 < total < 1e100):
             return None
-        moment = (q.T * (w / total)) @ q
-    if not math.isfinite(moment.sum()):
+        moment = (q.T * w) @ q
+    if not math.isfinite(sum(moment.ravel().tolist())):
         return None
     values, vectors = np.linalg.eigh(moment)
-    if values[3] - values[2] <= _TIE * _EPS:
+    *_, second, first = values.tolist()
+    if first - second <= _TIE * _EPS * total:
         return None
-    return canonical(normalised(np.ascontiguousarray(vectors[:, 3])))
+    return _LAST_COLUMN(vectors)
+
+
+def _last_column(vectors: Array) -> Array:
+    """The last column as a unit quaternion whose first nonzero coordinate is positive."""
+    xp = namespace(vectors)
+    return join(xp, upright(xp, unit(xp, tuple(vectors[..., n, 3] for n in range(4)))))
+
+
+_LAST_COLUMN = Formula(_last_column, (4, 4))
 
 
 @quiet

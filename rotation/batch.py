@@ -47,6 +47,8 @@ class Batch(ImmutableArray):
 
     def _alike(self, q: Array) -> Self:
         """Wrap unit quaternions computed from `_double` in the precision of these."""
+        if q.dtype is self._q.dtype:
+            return self._of(q)
         return self._stored(q, self._q.dtype) if is_numpy(namespace(q)) else self._of(q)
 
     @property

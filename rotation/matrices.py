@@ -313,12 +313,36 @@ def _nearest(xp: Namespace, m: Array) -> Array:
 def _proper(u: Array, s: Array, vt: Array) -> Array:
     """Return u, and s below it, of matrices ``u·s·vt``, with signs by which ``u·vt`` is a rotation."""
     xp = namespace(u)
-    mirrored = _determinant(_entries(u)) * _determinant(_entries(vt)) < 0.0
-    rows = [(a, b, xp.where(mirrored, -c, c)) for a, b, c in (*_entries(u), split(s))]
+    rows = _proper_rows(xp, _entries(u), split(s), _entries(vt))
     return xp.stack([join(xp, row) for row in rows], axis=-2)
 
 
+def _proper_rows(xp: Namespace, u: Entries, s: Coordinates, vt: Entries) -> list[Coordinates]:
+    mirrored = _determinant(u) * _determinant(vt) < 0.0
+    return [(a, b, xp.where(mirrored, -c, c)) for a, b, c in (*u, s)]
+
+
 PROPER = Formula(_proper, (3, 3), (3,), (3, 3))
+
+
+def _nearest_to_svd(u: Array, s: Array, vt: Array) -> Array:
+    """The quaternion of the rotation nearest to ``u·s·vt``.
+
+    Flagged where several rotations are, up to rounding, or where a sum may have lost small terms.
+    """
+    xp = namespace(u)
+    v = _entries(vt)
+    *rows, (first, second, third) = _proper_rows(xp, _entries(u), split(s), v)
+    tiny = 16.0 * float(finfo(xp, first).eps) * first
+    flag_if(xp, (second <= tiny) | (second + third <= tiny) | (first < 1e-200) | (first > 1e200))
+    r = [
+        [reduce(add, (x * w[n] for x, w in zip(row, v, strict=True))) for n in range(3)]
+        for row in rows
+    ]
+    return join(xp, unit(xp, _dominant_row(xp, _polished(xp, r))))
+
+
+NEAREST_TO_SVD = Formula(_nearest_to_svd, (3, 3), (3,), (3, 3))
 
 
 def _dominant_row(xp: Namespace, r: Entries) -> Coordinates:

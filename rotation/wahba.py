@@ -4,12 +4,15 @@ G. Wahba, "A least squares estimate of satellite attitude", SIAM Review 7 (1965)
 singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley (1988).
 """
 
+import math
+
 import numpy as np
 
+from rotation.action import turned_by
 from rotation.array_types import NUMPY, Array, ArrayLike, Namespace
 from rotation.coordinates import join, length, split
 from rotation.errors import RotationError
-from rotation.matrices import PROPER, from_matrix, largest, scaled, to_matrix
+from rotation.matrices import NEAREST_TO_SVD, PROPER, from_matrix, largest, scaled, to_matrix
 from rotation.namespaces import (
     certainly,
     expect_last,
@@ -132,11 +135,27 @@ def fitted(a: Array, b: Array, w: Array | None) -> tuple[Array, Array]:
 
     Without weights all are 1.
     """
-    exact = None if w is None else certain(a, b, w)
-    if exact is not None:
-        return exact
+    found = _fitted_to_one(a, b, w)
+    if found is None and w is not None:
+        found = certain(a, b, w)
+    if found is not None:
+        return found
     q = _best(namespace(a), a, b, w)
     return q, remaining(q, a, b, w)
+
+
+def _fitted_to_one(a: Array, b: Array, w: Array | None) -> tuple[Array, Array] | None:
+    """The fit of one set, in a few calls; None for several sets and where numbers are not as usual."""
+    if a.ndim != 2 or type(a) is not np.ndarray or type(b) is not np.ndarray:
+        return None
+    m = (a.T if w is None else a.T * w) @ b
+    if not math.isfinite(sum(m.ravel().tolist())):
+        return None
+    q, is_unusual = NEAREST_TO_SVD.with_flag(*np.linalg.svd(m))
+    if is_unusual:
+        return None
+    rests = _RESTS(a, b, q)
+    return q, _root_of_squares(NUMPY, rests if w is None else np.sqrt(w) * rests)
 
 
 @quiet
@@ -147,12 +166,28 @@ def remaining(q: Array, a: Array, b: Array, w: Array | None) -> Array:
     rests = _LENGTH(a - turned)
     if w is not None:
         rests = xp.sqrt(w) * rests
+    return _root_of_squares(xp, rests)
+
+
+def _root_of_squares(xp: Namespace, rests: Array) -> Array:
+    """Return the roots of the sums of squares of numbers (…, N) that are not negative."""
+    if is_numpy(xp) and rests.ndim == 1 and 1e-200 < (square := rests @ rests) < 1e200:
+        root: Array = np.sqrt(square)
+        return root
     longest = xp.max(rests, axis=-1, keepdims=True)
     longest = xp.where(longest > 0.0, longest, xp.ones_like(longest))
     return xp.sqrt(xp.sum((rests / longest) ** 2, axis=-1)) * longest[..., 0]
 
 
 _LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
+_RESTS = Formula(
+    lambda a, b, q: length(
+        namespace(a),
+        tuple(x - y for x, y in zip(split(a), turned_by(split(q), split(b), False), strict=True)),
+    ),
+    *((3,), (3,), (4,)),
+    single=(2,),
+)
 _TIMES = Formula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
 
 

@@ -56,7 +56,7 @@ def cumulative(q: Array) -> Array:
     """Return the running products, the newest factor on the left, each normalised."""
     products = np.empty_like(q)
     running = np.array([1.0, 0.0, 0.0, 0.0])
-    for n, factor in enumerate(q):
+    for n, factor in enumerate(q / np.max(np.abs(q), axis=-1, keepdims=True, initial=0.0)):
         running = np.stack(multiply(HAMILTON, tuple(factor), tuple(running)))
         running = running / np.linalg.norm(running)
         products[n] = running

@@ -84,6 +84,29 @@ def test_what_was_turned_is_found(size: float) -> None:
     assert two.approx_equal(r, atol=1e-11).all()
 
 
+@pytest.mark.parametrize("size", [1e-160, 1e-60, 1.0, 1e60, 1e150])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_one_set_is_aligned_as_one_of_many(size: float, weighted: bool) -> None:
+    rng = np.random.default_rng(11)
+    source, target = rng.standard_normal((2, 20, 7, 3))
+    weights = rng.uniform(0.1, 2.0, (20, 7)) if weighted else None
+    many, rests = align(size * source, size * target, weights)
+    for n in range(20):
+        one, rest = align(size * source[n], size * target[n], weights[n] if weighted else None)
+        assert one.approx_equal(many[n], atol=1e-13)
+        assert rest == pytest.approx(rests[n], rel=1e-13)
+
+
+@pytest.mark.parametrize("size", [1e-160, 1.0, 1e150])
+def test_the_mean_of_all_is_that_of_one_axis(size: float) -> None:
+    rng = np.random.default_rng(12)
+    r, w = Rotation.random((1, 9), rng=rng), size * rng.uniform(0.1, 2.0, 9)
+    for weights in (None, w):
+        expected = r.mean(weights, axis=1)[0]
+        assert r[0].mean(weights).approx_equal(expected, atol=1e-14)
+        assert r[0].mean(weights).as_quat()[np.flatnonzero(expected.as_quat())[0]] > 0.0
+
+
 def test_align_vectors_is_scipys_order() -> None:
     r = Rotation.random(rng=7)
     b = np.random.default_rng(7).standard_normal((6, 3))
