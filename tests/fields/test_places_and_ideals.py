@@ -148,8 +148,8 @@ def test_infinite_places_of_quadratic_fields(d: int) -> None:
     with pytest.raises(HFieldError) as caught:
         place_of_number_field(QuadraticField(2), "4")
     assert str(caught.value) == (
-        "'4' is not a place of QQ(sqrt(2)): expected a prime, such as "
-        '"(2, s)" for the ideal of 2 and s, or "inf0"'
+        "'4' is not a place of QQ(sqrt(2)): expected a prime ideal, such as "
+        '"(2, sqrt(2))", or an infinite place, such as "inf-"'
     )
     for p in ("4", Fraction(1, 2), 6, 1):
         with pytest.raises(HFieldError, match="is not a prime number; expected one, such as 5"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from hfield.core.primality import is_prime, primes
@@ -87,9 +88,10 @@ def place_of_number_field(field: NumberField, place: object) -> Place:
         inside = text[1:-1] if text.startswith("(") and text.endswith(")") else text
         p, comma, second = inside.partition(",")
         if not p.isdecimal() or not is_prime(int(p)) or (comma and inside == text):
+            example = max(islice(finite_places(field), 12), key=lambda P: not P.is_inert)
             raise RingError(
-                f"{shorten(place)!r} is not a place of {shorten(field.name)}: expected a prime, "
-                'such as "(2, s)" for the ideal of 2 and s, or "inf0"'
+                f"{shorten(place)!r} is not a place of {shorten(field.name)}: expected a prime ideal, such "
+                f'as "{example}", or an infinite place, such as "{field.infinite_places()[0]}"'
             )
         above = primes_above(field, int(p))
         if second:
