@@ -130,16 +130,16 @@ def read_statement(text: str, setting: Setting) -> Statement:
 
 def read_tree(tree: Tree, setting: Setting) -> Statement:
     """Read the tree of a statement."""
-    return _Reader(setting).read(tree)
+    return _StatementReader(setting).read(tree)
 
 
 def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str], bool]:
     """Return the sort of a term, ``q`` or ``s``, the unknowns in it, and whether it may be undefined."""
-    reader = _Reader(setting)
+    reader = _StatementReader(setting)
     return reader.term(tree), frozenset(reader.unknowns), reader.divides
 
 
-class _Reader:
+class _StatementReader:
     """One pass over the tree: sorts, unknowns, constants of the field."""
 
     def __init__(self, setting: Setting) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from hfield import ring
 from hfield.checker.check import check
-from hfield.checker.number_fields.integers import Integers
+from hfield.checker.number_fields.integers import RingOfIntegers
 from hfield.checker.number_fields.logarithms import DIGITS, Places, log, volume
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
@@ -226,9 +226,9 @@ def test_maximal_orders_are_recognised() -> None:
         field = read_ring(data["ring"])
         assert isinstance(field, NumberField)
         rows = [[Fraction(c) for c in x] for x in data["evidence"]["basis"]]
-        whole = Integers(field, rows)
+        whole = RingOfIntegers(field, rows)
         assert whole.discriminant
         for m in (2, 3, 5):
             smaller = [rows[0], *([m * c for c in row] for row in rows[1:])]
             with pytest.raises(Rejected, match=f"all integers at {m}|spans no ring"):
-                Integers(field, smaller)
+                RingOfIntegers(field, smaller)

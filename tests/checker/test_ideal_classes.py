@@ -11,7 +11,7 @@ import pytest
 from hfield import QuaternionAlgebra, ring
 from hfield.checker.check import ExpectedClaim
 from hfield.checker.number_fields.class_groups import SUnits
-from hfield.checker.number_fields.integers import Factors, Integers
+from hfield.checker.number_fields.integers import Factors, RingOfIntegers
 from hfield.checker.number_fields.zeta import zeta_minus_one
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.number_fields import NumberField
@@ -126,7 +126,7 @@ def test_zeta_is_that_of_the_prover() -> None:
         data = K.class_group().certificate
         field = read_ring(data["ring"])
         assert isinstance(field, NumberField)
-        whole = Integers(field, [[Fraction(c) for c in x] for x in data["evidence"]["basis"]])
+        whole = RingOfIntegers(field, [[Fraction(c) for c in x] for x in data["evidence"]["basis"]])
         listed = [[p, seconds_above(s_units(K), p)] for p in primes(50)]
         assert zeta_minus_one(whole, Factors(whole, listed)) == K.zeta_minus_one()
 

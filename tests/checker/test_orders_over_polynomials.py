@@ -10,7 +10,7 @@ from hfield import QuaternionAlgebra, ring
 from hfield.checker.check import Budget, check
 from hfield.checker.glossary import MASS_OVER_POLYNOMIALS
 from hfield.checker.number_fields.matrices import hermite, times
-from hfield.checker.orders.polynomial_integers import Polynomial, PolynomialIntegers
+from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
 from hfield.checker.orders.reading import OverPolynomials
 from hfield.checker.orders.words import OVER_POLYNOMIALS
 from hfield.checker.rejection import Rejected
@@ -175,7 +175,7 @@ def test_polynomials_compute_as_those_of_flint_do(field: str) -> None:
     polynomials = PolynomialIntegers(setting)
     every = list(polynomials.of_degree_below(3))
 
-    def to_flint(f: Polynomial) -> Any:
+    def to_flint(f: FiniteFieldPolynomial) -> Any:
         value = F.zero
         for c in reversed(f.coefficients):
             digits = [c] if isinstance(c, int) else c

@@ -16,7 +16,7 @@ from hfield.checker.number_fields.bounds import (
     ZIMMERT_FACTORS,
     short_length,
 )
-from hfield.checker.number_fields.integers import Integers as CheckedIntegers
+from hfield.checker.number_fields.integers import RingOfIntegers as CheckedIntegers
 from hfield.checker.number_fields.logarithms import DIGITS, Places
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.number_fields import NumberField

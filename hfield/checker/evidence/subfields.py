@@ -18,7 +18,7 @@ from hfield.checker.scalars.completions import AtPrime
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.number_fields import NumberField
 from hfield.checker.scalars.quadratic import Quadratic
-from hfield.checker.scalars.rationals import QQ, Number
+from hfield.checker.scalars.rationals import QQ, RationalPlace
 from hfield.checker.statement import Setting, Statement
 
 
@@ -31,7 +31,7 @@ def subfield(
     """Check a witness with coordinates in a number field for a statement over ℚ_p."""
     data = an_object(evidence, "kind ring root witness", "the evidence")
     local = setting.field
-    if not (isinstance(local, AtPrime) and isinstance(local.only, Number)):
+    if not (isinstance(local, AtPrime) and isinstance(local.only, RationalPlace)):
         reject("subfields are known of the p-adic numbers only")
     inner = read_ring(data["ring"])
     if isinstance(inner, Quadratic):

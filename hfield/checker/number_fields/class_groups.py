@@ -23,7 +23,7 @@ from hfield.checker.glossary import (
     ZIMMERT,
 )
 from hfield.checker.number_fields.bounds import ZIMMERT_FACTORS
-from hfield.checker.number_fields.integers import Factors, Integers, coefficients, field_of
+from hfield.checker.number_fields.integers import Factors, RingOfIntegers, coefficients, field_of
 from hfield.checker.number_fields.logarithms import DIGITS, Interval, Places, log, volume
 from hfield.checker.number_fields.modular import echelon
 from hfield.checker.number_fields.regulator import ShortUnits
@@ -85,7 +85,7 @@ class SUnits:
         rows = [list(self.given(x)) for x in a_list(data["basis"], "the integral basis")]
         if len(rows) != n:
             reject(f"an integral basis has {n} elements")
-        self.integers = Integers(field, rows)
+        self.integers = RingOfIntegers(field, rows)
         self.places = Places(field.whole)
         self.cites: tuple[str, ...] = ()
         self.factors = Factors(self.integers, data["primes"])

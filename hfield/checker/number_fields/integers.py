@@ -35,7 +35,7 @@ MAX_DEGREE = 12
 """The largest degree."""
 
 
-class Integers:
+class RingOfIntegers:
     """The span over ℤ of some elements, seen to be the ring of all integers of the field."""
 
     def __init__(self, field: NumberField, rows: list[list[Fraction]]) -> None:
@@ -189,7 +189,7 @@ class Integers:
 class Prime:
     """A prime ideal above p: its elements modulo p, as a space in echelon form."""
 
-    integers: Integers = field(repr=False, compare=False)
+    integers: RingOfIntegers = field(repr=False, compare=False)
     p: int
     span: list[Vector]
 
@@ -244,7 +244,7 @@ class Prime:
 class Factors:
     """Prime ideals, all above some prime numbers, and the exponents of elements at them."""
 
-    def __init__(self, integers: Integers, data: object) -> None:
+    def __init__(self, integers: RingOfIntegers, data: object) -> None:
         """Read ``[[p, [α, …]], …]``, the α as coordinates in the integral basis."""
         self.integers = integers
         self.primes: list[Prime] = []
@@ -323,7 +323,7 @@ def integer_row(value: object, n: int) -> Vector:
 
 
 RATIONAL_FIELD = NumberField("QQ", [Fraction(-1), Fraction(1)], ("name", "s"), "s", proved=True)
-RATIONAL_INTEGERS = Integers(RATIONAL_FIELD, [[Fraction(1)]])
+RATIONAL_INTEGERS = RingOfIntegers(RATIONAL_FIELD, [[Fraction(1)]])
 """ℤ, the integers of the field of degree 1."""
 
 

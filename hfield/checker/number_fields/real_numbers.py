@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import ceil, floor
 
 from hfield.checker.budget import spend
-from hfield.checker.number_fields.integers import Integers
+from hfield.checker.number_fields.integers import RingOfIntegers
 from hfield.checker.number_fields.modular import Vector
 from hfield.checker.scalars.real_roots import RealRoot
 
@@ -19,7 +19,7 @@ FIRST_BITS = 128
 class RealPlace:
     """The integers of a field, ordered by a real root of its polynomial."""
 
-    def __init__(self, integers: Integers, root: RealRoot) -> None:
+    def __init__(self, integers: RingOfIntegers, root: RealRoot) -> None:
         self.integers, self._root = integers, root
         self._bounds: list[list[tuple[int, int]]] = []
 

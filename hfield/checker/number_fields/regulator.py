@@ -6,7 +6,7 @@ from math import isqrt
 
 from hfield.checker.number_fields.bounds import HERMITE_POWERS, short_length
 from hfield.checker.number_fields.enumeration import short_vectors
-from hfield.checker.number_fields.integers import Integers
+from hfield.checker.number_fields.integers import RingOfIntegers
 from hfield.checker.number_fields.logarithms import DIGITS, Places, log
 from hfield.checker.number_fields.matrices import Rows
 from hfield.checker.rejection import reject
@@ -22,7 +22,7 @@ STEP_BITS = 20
 class ShortUnits:
     """The units among the integers x with Σ|xᵥ|² ≤ K over the embeddings, one of ±x."""
 
-    def __init__(self, integers: Integers, places: Places) -> None:
+    def __init__(self, integers: RingOfIntegers, places: Places) -> None:
         self.integers, self.places = integers, places
         self.length = short_length(integers.n, integers.discriminant)
         bound = self.length << FORM_BITS

@@ -10,11 +10,11 @@ from math import comb
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.enumeration import short_vectors
 from hfield.checker.number_fields.factoring import factored
-from hfield.checker.number_fields.integers import Integers, Primes
+from hfield.checker.number_fields.integers import Primes, RingOfIntegers
 from hfield.checker.scalars.matrices import inverse_matrix
 
 
-def zeta_minus_one(integers: Integers, factors: Primes) -> Fraction:
+def zeta_minus_one(integers: RingOfIntegers, factors: Primes) -> Fraction:
     """Return ζ_K(−1) of a totally real field. Rejects where prime ideals that are needed are missing."""
     n = integers.n
     if n == 1:  # where Siegel's sum does not begin
@@ -49,7 +49,7 @@ def _bernoulli(w: int) -> Fraction:
     return found[w]
 
 
-def _sums(integers: Integers, factors: Primes, most: int) -> list[int]:
+def _sums(integers: RingOfIntegers, factors: Primes, most: int) -> list[int]:
     """Return Σ σ₁(ν·D) for the traces 1, …, ``most``; the conjugates of ν have squares of a sum up to l²."""
     n, d = integers.n, abs(integers.discriminant)
     form = [[integers.trace(integers.table[k][m]) for m in range(n)] for k in range(n)]
@@ -69,7 +69,7 @@ def _sums(integers: Integers, factors: Primes, most: int) -> list[int]:
     return found
 
 
-def _positive(integers: Integers, row: tuple[int, ...]) -> bool:
+def _positive(integers: RingOfIntegers, row: tuple[int, ...]) -> bool:
     """Tell whether all conjugates of an integer of a totally real field are positive (by Newton)."""
     n, power, sums = integers.n, row, []
     for _ in range(n):
@@ -86,7 +86,7 @@ def _positive(integers: Integers, row: tuple[int, ...]) -> bool:
 
 
 def _divisor_sum(
-    integers: Integers, factors: Primes, row: tuple[int, ...], dual: list[tuple[int, ...]]
+    integers: RingOfIntegers, factors: Primes, row: tuple[int, ...], dual: list[tuple[int, ...]]
 ) -> int:
     """Return the sum of the norms of the ideals that divide ν·D; d·ν is given, and d·D⁻¹ by a basis."""
     d = abs(integers.discriminant)

@@ -10,7 +10,7 @@ from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.evaluate import products
-from hfield.checker.number_fields.integers import Integers, coefficients
+from hfield.checker.number_fields.integers import RingOfIntegers, coefficients
 from hfield.checker.number_fields.matrices import (
     Row,
     Rows,
@@ -33,7 +33,7 @@ class Algebra:
     The caller spends the work, by the ``bits`` of the lattice that contains the rows.
     """
 
-    def __init__(self, setting: Setting, integers: Integers) -> None:
+    def __init__(self, setting: Setting, integers: RingOfIntegers) -> None:
         ring = setting.field
         assert ring is not None
         self.integers, self.ring = integers, ring

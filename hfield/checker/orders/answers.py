@@ -36,7 +36,7 @@ from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.class_set import need_class_set, need_ideal
 from hfield.checker.orders.elements import of_norm, with_trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
-from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
@@ -133,7 +133,7 @@ def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckR
     first, second = map(given.lattice, parts[1:])
     between = given.basis(first.into(second, side), given.data["between"])
     for x in between.least():
-        moved = first.times(Element(between.den, x), "right" if side == "left" else "left")
+        moved = first.times(LatticeElement(between.den, x), "right" if side == "left" else "left")
         if moved.key == second.key:
             reject("an element carries the first lattice to the second")
     return CheckResult(FIELD, ENUMERATION)
@@ -181,7 +181,7 @@ def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
     back, det = inverse(span)
     # the rows of the first order are combinations of the span, over den_first·det/den
     relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
-    images = [[Element(second.den, y) for y in given.images(second, x)] for x in pair]
+    images = [[LatticeElement(second.den, y) for y in given.images(second, x)] for x in pair]
     wanted = _pairing(algebra, *pair)
     for x in images[0]:
         for y in images[1]:
@@ -214,17 +214,17 @@ def with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[
     )
 
 
-def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Any]:
+def _pairing(algebra: Algebra, x: LatticeElement, y: LatticeElement) -> list[Any]:
     """Return tr(x·conj(y)) in the integral basis."""
     den = x.den * y.den * algebra.scale
     return [ratio(c, den) for c in algebra.pairing(x.row, y.row)]
 
 
-def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
+def _spanned(algebra: Algebra, a: LatticeElement, b: LatticeElement) -> tuple[int, Rows]:
     """Return the products of the integral basis with 1, a, b and ab, as rows over a denominator."""
     ab = times([b.row], algebra.left(a.row))[0]
-    one = Element(1, algebra.number(algebra.integers.one))
-    every = (one, a, b, Element(a.den * b.den * algebra.scale, ab))
+    one = LatticeElement(1, algebra.number(algebra.integers.one))
+    every = (one, a, b, LatticeElement(a.den * b.den * algebra.scale, ab))
     den = lcm(*(x.den for x in every))
     return den, tuple(
         algebra.blockwise([c * (den // x.den) for c in x.row], by)

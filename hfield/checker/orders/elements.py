@@ -6,7 +6,7 @@ from fractions import Fraction
 from hfield.checker.number_fields.enumeration import short_vectors
 from hfield.checker.number_fields.matrices import Row, times
 from hfield.checker.orders.algebra import Algebra
-from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.scalars.number_fields import Element as Number
 
 
@@ -38,7 +38,7 @@ def with_trace_and_norm(lattice: Lattice, trace: Sequence[Fraction], norm: Numbe
     return [x for x in both if algebra.trace(x) == wanted]
 
 
-def trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], Number]:
+def trace_and_norm(algebra: Algebra, x: LatticeElement) -> tuple[list[Fraction], Number]:
     """Return the trace in the integral basis, and the norm as a number of the field."""
     trace = [Fraction(c, x.den * algebra.scale) for c in algebra.trace(x.row)]
     twice = 2 * x.den * x.den * algebra.scale

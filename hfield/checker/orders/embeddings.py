@@ -30,7 +30,7 @@ from hfield.checker.orders.answers import (
 )
 from hfield.checker.orders.elements import trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
-from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.texts import a_whole_number
 from hfield.checker.rejection import a_list, an_integer, reject
@@ -64,7 +64,7 @@ def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
         reject("for a positive discriminant the elements are not listed")
     basis, trace = given.basis(order, given.data["basis"]), d % 2
     for row in with_rational_trace_and_norm(basis, trace, (trace - d) // 4):
-        if _is_optimal(order, Element(basis.den, row)):
+        if _is_optimal(order, LatticeElement(basis.den, row)):
             reject("an element of the order has this discriminant, and is optimal")
     return CheckResult(FIELD, ENUMERATION)
 
@@ -107,7 +107,7 @@ def _discriminant(text: str) -> int:
     return d
 
 
-def _need_embedding(order: Lattice, x: Element, d: int) -> None:
+def _need_embedding(order: Lattice, x: LatticeElement, d: int) -> None:
     """Reject unless an element of the order has the discriminant d and is optimal."""
     if not order.holds(x.den, [x.row]):
         reject("the element is not in the order")
@@ -118,7 +118,7 @@ def _need_embedding(order: Lattice, x: Element, d: int) -> None:
         reject("the element does not generate all integral elements of its field in the order")
 
 
-def _is_optimal(order: Lattice, x: Element) -> bool:
+def _is_optimal(order: Lattice, x: LatticeElement) -> bool:
     """Tell whether no (x − m)/k with k > 1 is in the order: minors of 1 and x in coordinates are coprime."""
     back, det = inverse(order.rows)
     both = times(
@@ -132,11 +132,11 @@ def _is_optimal(order: Lattice, x: Element) -> bool:
     return gcd(*minors) == 1
 
 
-def _root(given: Given, order: Lattice, x: Element) -> Element:
+def _root(given: Given, order: Lattice, x: LatticeElement) -> LatticeElement:
     """Return 2x − tr(x)."""
     (trace,), _ = trace_and_norm(given.algebra, x)
     scalar = order.algebra.number([int(trace * x.den)])
-    return Element(x.den, tuple(2 * a - b for a, b in zip(x.row, scalar, strict=True)))
+    return LatticeElement(x.den, tuple(2 * a - b for a, b in zip(x.row, scalar, strict=True)))
 
 
 # --- numbers ------------------------------------------------------------------------------------------

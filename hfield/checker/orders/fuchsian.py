@@ -16,7 +16,7 @@ from typing import Any
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Primes
 from hfield.checker.number_fields.matrices import Row, longest
-from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import mass, symbols
 from hfield.checker.orders.presentations import Word, simplified
 from hfield.checker.orders.real_algebra import RealAlgebra
@@ -69,8 +69,8 @@ class FundamentalDomain:
         order: Lattice,
         algebra: RealAlgebra,
         area: Fraction,
-        center: Element,
-        units: Sequence[Element],
+        center: LatticeElement,
+        units: Sequence[LatticeElement],
     ) -> None:
         if not 3 <= len(units) <= MAX_SIDES:
             reject(f"a domain has 3 to {MAX_SIDES} sides")
@@ -112,19 +112,19 @@ class FundamentalDomain:
 
     # --- the polygon ---------------------------------------------------------------------------------
 
-    def _far(self, g: Element) -> Row:
+    def _far(self, g: LatticeElement) -> Row:
         """Return g·c − c, up to a positive factor; pairings with it are ≥ 0 where c is as near as g·c."""
         size = g.den * g.den * self.algebra.scale**3
         c = self._axes[0]
         return tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
 
-    def _line(self, g: Element) -> Vector:
+    def _line(self, g: LatticeElement) -> Vector:
         """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
         far = self._far(g)
         a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
         return (a, b, d)
 
-    def _polygon(self, units: Sequence[Element]) -> tuple[list[Row], list[bool]]:
+    def _polygon(self, units: Sequence[LatticeElement]) -> tuple[list[Row], list[bool]]:
         """Return where each side begins, and whether that is at infinity.
 
         Reject unless the lines bound a convex polygon, in order, with corners at most at infinity. The forms
@@ -164,8 +164,8 @@ class FundamentalDomain:
         end = len(sides) + 1
         return [self._axes[0], *corners[:end]], [False, *ideal[:end]]
 
-    def _inverse(self, g: Element) -> Element:
-        return Element(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
+    def _inverse(self, g: LatticeElement) -> LatticeElement:
+        return LatticeElement(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
 
     def _paired(self) -> list[int]:
         """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
@@ -188,7 +188,7 @@ class FundamentalDomain:
             partners.append(partner)
         return partners
 
-    def _up_to_sign(self, g: Element) -> tuple[int, Row]:
+    def _up_to_sign(self, g: LatticeElement) -> tuple[int, Row]:
         """Return what g and −g have in common, and no other element."""
         own = self.algebra.primitive(g.den, g.row)
         first = next((x for x in own.row if x), 0)
@@ -199,7 +199,7 @@ class FundamentalDomain:
         while left:
             start = n = min(left)
             path: list[int] = []
-            around = Element(1, (1, 0, 0, 0))
+            around = LatticeElement(1, (1, 0, 0, 0))
             while not path or n != start:
                 if n not in left:
                     reject("the corners are in no cycles")
@@ -213,7 +213,7 @@ class FundamentalDomain:
                 reject("what goes around a corner does not fix it as it should")
             yield Cycle(tuple(path), order)
 
-    def _order(self, g: Element) -> int:
+    def _order(self, g: LatticeElement) -> int:
         """Return the order of a unit modulo ±1; 0 for a parabolic one."""
         trace = self.algebra.pairing(g.row, (1, 0, 0, 0))
         if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
@@ -227,7 +227,7 @@ class FundamentalDomain:
 
     # --- points in it --------------------------------------------------------------------------------
 
-    def orbit(self, s: Element) -> set[Row]:
+    def orbit(self, s: LatticeElement) -> set[Row]:
         """Return the images in the domain of an element of trace 0, by units; over ℚ.
 
         Reject unless it stands for a point of the domain, which is none of a sector. Tiles around a point
@@ -281,7 +281,7 @@ class FundamentalDomain:
     def need_group(
         self,
         signature: tuple[Fraction, list[int], Fraction],
-        generators: Sequence[Element],
+        generators: Sequence[LatticeElement],
         relations: Sequence[Word],
     ) -> None:
         """Reject unless the group has this signature, and this is the presentation that the domain gives."""
@@ -291,7 +291,7 @@ class FundamentalDomain:
         if (own, list(relations)) != self.presentation():
             reject("this is not the presentation that the domain gives")
 
-    def presentation(self) -> tuple[list[Element], list[Word]]:
+    def presentation(self) -> tuple[list[LatticeElement], list[Word]]:
         """Return generators and relations: of the sides, less those that a relation expresses by others."""
         letters: dict[int, int] = {}
         for n, partner in enumerate(self.partners):

@@ -31,7 +31,7 @@ from hfield.checker.rejection import reject
 
 
 @dataclass(frozen=True)
-class Element:
+class LatticeElement:
     """A row over a denominator."""
 
     den: Any
@@ -130,7 +130,7 @@ class Lattice:
             for n, row in enumerate(self.key[1])
         ]
 
-    def times(self, x: Element, side: str) -> "Lattice":
+    def times(self, x: LatticeElement, side: str) -> "Lattice":
         """Return L·x for the ``right`` side, x·L for the left."""
         self.pay(2, longest([x.row]))
         multiply = self.algebra.right if side == "right" else self.algebra.left

@@ -9,7 +9,7 @@ from itertools import product
 from typing import Any
 
 from hfield.checker.budget import spend
-from hfield.checker.number_fields.integers import Integers
+from hfield.checker.number_fields.integers import RingOfIntegers
 from hfield.checker.number_fields.matrices import Row
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.finite import Finite
@@ -19,7 +19,7 @@ from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.statement import Setting
 
 
-class Polynomial:
+class FiniteFieldPolynomial:
     """A polynomial over a finite field, its ``coefficients`` low degree first, the last of them not 0."""
 
     __slots__ = ("base", "coefficients")
@@ -41,9 +41,9 @@ class Polynomial:
         return self.coefficients[-1]
 
     @property
-    def to_normal(self) -> "Polynomial":
+    def to_normal(self) -> "FiniteFieldPolynomial":
         """The constant by which this has to be multiplied to be monic."""
-        return Polynomial(self.base, [self.base.inverse(self.lead)])
+        return FiniteFieldPolynomial(self.base, [self.base.inverse(self.lead)])
 
     def at(self, degree: int) -> Hashable:
         """Return the coefficient of a power."""
@@ -57,7 +57,7 @@ class Polynomial:
         return bool(self.coefficients)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Polynomial) and self.coefficients == other.coefficients
+        return isinstance(other, FiniteFieldPolynomial) and self.coefficients == other.coefficients
 
     def __hash__(self) -> int:
         return hash(self.coefficients)
@@ -70,50 +70,56 @@ class Polynomial:
         """Spend what operations on coefficients cost; those of an extension are lists."""
         spend(2 + operations * (1 if self.base.order == self.base.characteristic else 4))
 
-    def _same(self, x: "Polynomial | int") -> "Polynomial":
-        return x if isinstance(x, Polynomial) else Polynomial(self.base, [self.base.number(x)])
+    def _same(self, x: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
+        return (
+            x
+            if isinstance(x, FiniteFieldPolynomial)
+            else FiniteFieldPolynomial(self.base, [self.base.number(x)])
+        )
 
-    def __add__(self, other: "Polynomial | int") -> "Polynomial":
+    def __add__(self, other: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
         base, x, y = self.base, self.coefficients, self._same(other).coefficients
         if len(x) < len(y):
             x, y = y, x
         self._spend(len(x))
-        return Polynomial(base, [*map(base.add, x, y), *x[len(y) :]])
+        return FiniteFieldPolynomial(base, [*map(base.add, x, y), *x[len(y) :]])
 
     __radd__ = __add__
 
-    def __neg__(self) -> "Polynomial":
+    def __neg__(self) -> "FiniteFieldPolynomial":
         self._spend(len(self.coefficients))
-        return Polynomial(self.base, [self.base.neg(c) for c in self.coefficients])
+        return FiniteFieldPolynomial(self.base, [self.base.neg(c) for c in self.coefficients])
 
-    def __sub__(self, other: "Polynomial | int") -> "Polynomial":
+    def __sub__(self, other: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
         return self + -self._same(other)
 
-    def __mul__(self, other: "Polynomial | int") -> "Polynomial":
+    def __mul__(self, other: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
         base, x, y = self.base, self.coefficients, self._same(other).coefficients
         self._spend(len(x) * len(y))
         if not x or not y:
-            return Polynomial(base, ())
+            return FiniteFieldPolynomial(base, ())
         out: list[Hashable] = [base.zero] * (len(x) + len(y) - 1)
         for m, c in enumerate(x):
             for n, d in enumerate(y, m):
                 out[n] = base.add(out[n], base.mul(c, d))
-        return Polynomial(base, out)
+        return FiniteFieldPolynomial(base, out)
 
     __rmul__ = __mul__
 
-    def __pow__(self, exponent: int) -> "Polynomial":
+    def __pow__(self, exponent: int) -> "FiniteFieldPolynomial":
         found = self._same(1)
         for _ in range(exponent):
             found = found * self
         return found
 
-    def __divmod__(self, other: "Polynomial | int") -> tuple["Polynomial", "Polynomial"]:
+    def __divmod__(
+        self, other: "FiniteFieldPolynomial | int"
+    ) -> tuple["FiniteFieldPolynomial", "FiniteFieldPolynomial"]:
         base, y = self.base, self._same(other).coefficients
         x: list[Hashable] = list(self.coefficients)
         shift = len(x) - len(y)
         if shift < 0:
-            return Polynomial(base, ()), self
+            return FiniteFieldPolynomial(base, ()), self
         self._spend(3 + 2 * (shift + 1) * len(y))
         inverse, quotient = base.inverse(y[-1]), [base.zero] * (shift + 1)
         for n in range(shift, -1, -1):
@@ -122,18 +128,18 @@ class Polynomial:
                 quotient[n], c = c, base.neg(c)
                 for m, d in enumerate(y, n):
                     x[m] = base.add(x[m], base.mul(c, d))
-        return Polynomial(base, quotient), Polynomial(base, x[: len(y) - 1])
+        return FiniteFieldPolynomial(base, quotient), FiniteFieldPolynomial(base, x[: len(y) - 1])
 
-    def __floordiv__(self, other: "Polynomial | int") -> "Polynomial":
+    def __floordiv__(self, other: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
         return divmod(self, other)[0]
 
-    def __rfloordiv__(self, other: int) -> "Polynomial":
+    def __rfloordiv__(self, other: int) -> "FiniteFieldPolynomial":
         return self._same(other) // self
 
-    def __mod__(self, other: "Polynomial") -> "Polynomial":
+    def __mod__(self, other: "FiniteFieldPolynomial") -> "FiniteFieldPolynomial":
         return divmod(self, other)[1]
 
-    def gcd(self, *others: "Polynomial | int") -> "Polynomial":
+    def gcd(self, *others: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":
         """Return the monic greatest common divisor."""
         found = self
         for other in map(self._same, others):
@@ -145,37 +151,39 @@ class Polynomial:
                 break
         return found * found.to_normal if found else found
 
-    def ratio(self, other: "Polynomial") -> "Quotient":
+    def ratio(self, other: "FiniteFieldPolynomial") -> "RationalFunction":
         """Return self/other."""
-        return Quotient(self, other)
+        return RationalFunction(self, other)
 
 
-class Quotient:
+class RationalFunction:
     """A quotient of polynomials in lowest terms, with a monic denominator."""
 
-    def __init__(self, top: Polynomial, below: Polynomial) -> None:
+    def __init__(self, top: FiniteFieldPolynomial, below: FiniteFieldPolynomial) -> None:
         g = below.gcd(top)
         scale = below.to_normal
         self.numerator, self.denominator = top // g * scale, below // g * scale
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Quotient) and self._parts == other._parts
+        return isinstance(other, RationalFunction) and self._parts == other._parts
 
     def __hash__(self) -> int:
         return hash(self._parts)
 
     @property
-    def _parts(self) -> tuple[Polynomial, Polynomial]:
+    def _parts(self) -> tuple[FiniteFieldPolynomial, FiniteFieldPolynomial]:
         return self.numerator, self.denominator
 
-    def __mul__(self, other: "Quotient") -> "Quotient":
-        return Quotient(self.numerator * other.numerator, self.denominator * other.denominator)
+    def __mul__(self, other: "RationalFunction") -> "RationalFunction":
+        return RationalFunction(
+            self.numerator * other.numerator, self.denominator * other.denominator
+        )
 
-    def __pow__(self, exponent: int) -> "Quotient":
-        return Quotient(self.numerator**exponent, self.denominator**exponent)
+    def __pow__(self, exponent: int) -> "RationalFunction":
+        return RationalFunction(self.numerator**exponent, self.denominator**exponent)
 
 
-class PolynomialIntegers(Integers):
+class PolynomialIntegers(RingOfIntegers):
     """GF(q)[t], with the operations of the integers of a number field that lattices need, in degree 1."""
 
     def __init__(self, setting: Setting) -> None:
@@ -189,7 +197,7 @@ class PolynomialIntegers(Integers):
             reject("lattices over polynomials are those of functions GF(q)(t) in one variable")
         self.n, self.functions = 1, field
         self.base: Finite = field.base
-        self.one: Row = (Polynomial(self.base, [self.base.one]),)
+        self.one: Row = (FiniteFieldPolynomial(self.base, [self.base.one]),)
         self.table: list[list[Row]] = [[self.one]]
 
     @property
@@ -199,7 +207,7 @@ class PolynomialIntegers(Integers):
 
     def coordinates(self, x: Sequence[Any]) -> tuple[Any, Row]:
         """Return a function, a row of one entry, as a polynomial over a monic denominator."""
-        top, below = (Polynomial(self.base, dense(part, self.base)) for part in x[0])
+        top, below = (FiniteFieldPolynomial(self.base, dense(part, self.base)) for part in x[0])
         scale = below.to_normal
         return below * scale, (top * scale,)
 
@@ -216,14 +224,14 @@ class PolynomialIntegers(Integers):
         """Return the norm down to the functions: the polynomial itself."""
         return x[0]
 
-    def of_degree_below(self, bound: int) -> Iterator[Polynomial]:
+    def of_degree_below(self, bound: int) -> Iterator[FiniteFieldPolynomial]:
         """Yield all polynomials of a degree below a bound."""
         spend(self.order)
         for coefficients in product(*[list(self.base.elements())] * max(bound, 0)):
             spend(2 + bound)
-            yield Polynomial(self.base, coefficients)
+            yield FiniteFieldPolynomial(self.base, coefficients)
 
-    def prime(self, text: str) -> tuple[Polynomial, QuotientField]:
+    def prime(self, text: str) -> tuple[FiniteFieldPolynomial, QuotientField]:
         """Read a monic prime polynomial, and return it with its residue field."""
         den, (P,) = self.coordinates([self.functions.read(text)])
         if den.degree or P.degree < 1 or P.lead != self.base.one:

@@ -12,8 +12,8 @@ from itertools import product
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.matrices import Key, Row, is_one, times
-from hfield.checker.orders.lattice import Element, Lattice
-from hfield.checker.orders.polynomial_integers import Polynomial, PolynomialIntegers
+from hfield.checker.orders.lattice import Lattice, LatticeElement
+from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.quotients import QuotientField
 
@@ -82,7 +82,7 @@ class PolynomialLattice(Lattice):
         """Return x⁻¹·L, for a row x over the denominator of the lattice."""
         norm = self.algebra.norm(x)
         bar = tuple(c * self.den for c in self.algebra.conjugate(x))
-        return self.times(Element(norm * norm.to_normal, bar), "left").key
+        return self.times(LatticeElement(norm * norm.to_normal, bar), "left").key
 
 
 def divided_by_least(lattice: PolynomialLattice) -> tuple[set[Key], int]:
@@ -95,7 +95,7 @@ def divided_by_least(lattice: PolynomialLattice) -> tuple[set[Key], int]:
     return found, len(every) // len(found)
 
 
-def with_trace_and_norm_of(order: PolynomialLattice, x: Element) -> list[Row]:
+def with_trace_and_norm_of(order: PolynomialLattice, x: LatticeElement) -> list[Row]:
     """Return the elements of an order with the trace and the norm of x, as rows over its denominator."""
     algebra = order.algebra
     trace, norm = algebra.trace(x.row)[0] * order.den, algebra.norm(x.row) * order.den**2
@@ -107,7 +107,9 @@ def with_trace_and_norm_of(order: PolynomialLattice, x: Element) -> list[Row]:
     ]
 
 
-def mass(order: PolynomialLattice, primes: Sequence[tuple[Polynomial, QuotientField]]) -> Fraction:
+def mass(
+    order: PolynomialLattice, primes: Sequence[tuple[FiniteFieldPolynomial, QuotientField]]
+) -> Fraction:
     """Return Σ 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes, by the formula that is cited.
 
     The primes of the discriminant have to be given.

@@ -16,9 +16,9 @@ from hfield.checker.number_fields.ideals import index
 from hfield.checker.number_fields.integers import (
     RATIONAL_INTEGERS,
     Factors,
-    Integers,
     Primes,
     RationalPrimes,
+    RingOfIntegers,
     coefficients,
     field_of,
     integer_row,
@@ -30,8 +30,8 @@ from hfield.checker.orders import local_types, polynomial_lattices
 from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.class_set import divided_by_least
 from hfield.checker.orders.elements import need_definite, trace_and_norm, with_trace_and_norm
-from hfield.checker.orders.lattice import Element, Lattice
-from hfield.checker.orders.polynomial_integers import Polynomial, PolynomialIntegers
+from hfield.checker.orders.lattice import Lattice, LatticeElement
+from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
 from hfield.checker.orders.polynomial_lattices import PolynomialLattice
 from hfield.checker.orders.real_algebra import RealAlgebra
 from hfield.checker.orders.texts import a_rational, a_whole_number, elements_of
@@ -66,7 +66,7 @@ class Given(ABC):
     units: Sequence[Number]
     """The totally positive units modulo squares."""
 
-    def __init__(self, setting: Setting, integers: Integers, data: Data) -> None:
+    def __init__(self, setting: Setting, integers: RingOfIntegers, data: Data) -> None:
         self.algebra, self.data = Algebra(setting, integers), data
 
     @property
@@ -79,7 +79,7 @@ class Given(ABC):
         """Read elements of the statement, as coordinates in the integral basis."""
 
     @abstractmethod
-    def element(self, value: object) -> Element:
+    def element(self, value: object) -> LatticeElement:
         """Read an element of the evidence."""
 
     def whole(self, text: str, what: str) -> Any:
@@ -98,7 +98,7 @@ class Given(ABC):
         """Return the lattices by which a class is recognised, and an index of units."""
         return divided_by_least(self.units, ideal, scale)
 
-    def images(self, order: Any, x: Element) -> list[Row]:
+    def images(self, order: Any, x: LatticeElement) -> list[Row]:
         """Return the elements of an order with the trace and the norm of an element, over its denominator."""
         return with_trace_and_norm(order, *trace_and_norm(self.algebra, x))
 
@@ -120,10 +120,10 @@ class Given(ABC):
             reject("this is no order: a product of two rows is not in it")
         return found
 
-    def elements(self, text: str) -> list[Element]:
+    def elements(self, text: str) -> list[LatticeElement]:
         """Read elements of the statement."""
         found = (rational_rows([row]) for row in self.coordinates(text))
-        return [Element(den, row) for den, (row,) in found]
+        return [LatticeElement(den, row) for den, (row,) in found]
 
     def given(self, value: object, what: str = "a lattice") -> Lattice:
         """Read a lattice of the evidence."""
@@ -161,13 +161,13 @@ class OverQ(Given):
         """Read rows of four rational numbers."""
         return elements_of(text)
 
-    def element(self, value: object) -> Element:
+    def element(self, value: object) -> LatticeElement:
         """Read four texts."""
         found = [a_rational(x) for x in texts(value, "an element")]
         if len(found) != 4:
             reject("an element has four coordinates")
         den, (row,) = rational_rows([found])
-        return Element(den, row)
+        return LatticeElement(den, row)
 
     def quotient(
         self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
@@ -228,14 +228,14 @@ class OverField(Given):
             found.append(row)
         return found
 
-    def element(self, value: object) -> Element:
+    def element(self, value: object) -> LatticeElement:
         """Read coordinates over a denominator; the element is not 0."""
         entry = an_object(value, "den row", "an element")
         den = an_integer(entry["den"], "a denominator", 1)
         row = integer_row(entry["row"], self.algebra.size)
         if not any(row):
             reject("an element is 0")
-        return Element(den, row)
+        return LatticeElement(den, row)
 
     def quotient(
         self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
@@ -307,7 +307,7 @@ class OverPolynomials(Given):
         super().__init__(setting, self.polynomials, data)
 
     @cached_property
-    def primes(self) -> list[tuple[Polynomial, QuotientField]]:
+    def primes(self) -> list[tuple[FiniteFieldPolynomial, QuotientField]]:
         """The primes that are given, with their residue fields."""
         return list(map(self.polynomials.prime, texts(self.data["primes"], "the primes")))
 
@@ -339,12 +339,12 @@ class OverPolynomials(Given):
         _ = found.key  # of full rank
         return found
 
-    def element(self, value: object) -> Element:
+    def element(self, value: object) -> LatticeElement:
         """Read an element, which is not 0."""
         den, rows = self._rows(a_text(value, "an element"))
         if len(rows) != 1 or not any(rows[0]):
             reject("an element is four functions, not all of them 0")
-        return Element(den, rows[0])
+        return LatticeElement(den, rows[0])
 
     def basis(self, lattice: Lattice, value: object) -> PolynomialLattice:
         """Read another basis of a lattice."""
@@ -380,12 +380,12 @@ class OverPolynomials(Given):
         for value in values:
             yield self.lattice(a_text(value, "an ideal")), None, 0
 
-    def images(self, order: Any, x: Element) -> list[Row]:
+    def images(self, order: Any, x: LatticeElement) -> list[Row]:
         """Return the elements of an order with the trace and the norm of an element, over its denominator."""
         return polynomial_lattices.with_trace_and_norm_of(order, x)
 
 
-def _integers(field: NumberField, value: object) -> Integers:
+def _integers(field: NumberField, value: object) -> RingOfIntegers:
     """Read an integral basis of a field."""
     rows = [
         [a_coefficient(c, "a coefficient") for c in a_list(x, "an element")]
@@ -393,7 +393,7 @@ def _integers(field: NumberField, value: object) -> Integers:
     ]
     if [len(row) for row in rows] != [field.degree] * field.degree:
         reject(f"an integral basis has {field.degree} elements, of as many coefficients")
-    return Integers(field, rows)
+    return RingOfIntegers(field, rows)
 
 
 def _need_module(lattice: Lattice) -> None:

@@ -8,7 +8,7 @@ from hfield.checker.budget import spend
 from hfield.checker.number_fields.matrices import Row, longest, times
 from hfield.checker.number_fields.real_numbers import Real, RealPlace
 from hfield.checker.orders.algebra import Algebra
-from hfield.checker.orders.lattice import Element
+from hfield.checker.orders.lattice import LatticeElement
 
 
 class RealAlgebra:
@@ -40,12 +40,12 @@ class RealAlgebra:
         c = row[k] // one[k]
         return c if tuple(c * x for x in one) == row else self._number(row)
 
-    def element(self, den: int, row: Sequence[int]) -> Element:
+    def element(self, den: int, row: Sequence[int]) -> LatticeElement:
         """Return an element of coordinates over ℤ, in lowest terms."""
         common, n = gcd(den, *row), self.algebra.n
         own = [c // common for c in row]
         numbers = (self._number(tuple(own[k : k + n])) for k in range(0, 4 * n, n))
-        return Element(den // common, tuple(numbers))
+        return LatticeElement(den // common, tuple(numbers))
 
     def coordinates(self, x: Row) -> Row:
         """Return the coordinates of a row over ℤ."""
@@ -55,7 +55,7 @@ class RealAlgebra:
         parts = (c.row if isinstance(c, Real) else tuple(c * e for e in one) for c in x)
         return tuple(c for part in parts for c in part)
 
-    def primitive(self, den: int, x: Row) -> Element:
+    def primitive(self, den: int, x: Row) -> LatticeElement:
         """Return an element in lowest terms."""
         return self.element(den, self.coordinates(x))
 
@@ -73,7 +73,7 @@ class RealAlgebra:
         (row,) = times([x], self.form)
         return sum(a * b for a, b in zip(row, y, strict=True))
 
-    def product(self, g: Element, h: Element) -> Element:
+    def product(self, g: LatticeElement, h: LatticeElement) -> LatticeElement:
         """Return a product of elements, in lowest terms."""
         row = self.times(g.row, h.row)
         spend(50 + longest([row]) ** 2 // 10_000)

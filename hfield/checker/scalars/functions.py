@@ -12,7 +12,7 @@ from hfield.checker.rejection import a_list, an_integer, an_object, keyed, rejec
 from hfield.checker.scalars.finite import Finite
 from hfield.checker.scalars.names import blackboard, plain, polynomial_text, variables
 from hfield.checker.scalars.place import Place
-from hfield.checker.scalars.polynomials import MAX_DEGREE, Poly, Polynomials, dense
+from hfield.checker.scalars.polynomials import MAX_DEGREE, Poly, PolynomialRing, dense
 from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.residues import OverFiniteField
 from hfield.checker.scalars.ring import Kind, ReadRing, Ring
@@ -27,7 +27,7 @@ class Functions(Ring):
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.variable = base, variable
-        self.polynomials = Polynomials(base, (variable,))
+        self.polynomials = PolynomialRing(base, (variable,))
         strange = reads_like_a_constant(variable)
         self.name = f"Frac({self.polynomials.name})" if strange else f"{base.name}({variable})"
         self.words = f"the rational functions in {variable} over {blackboard(base.name)}"
@@ -127,7 +127,7 @@ class Functions(Ring):
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
         """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
-        if not isinstance(ring, Polynomials) or ring.names != (self.variable,):
+        if not isinstance(ring, PolynomialRing) or ring.names != (self.variable,):
             return False
         return self.base.name == ring.base.name or self.base.is_fraction_field_of(ring.base)
 
@@ -220,7 +220,7 @@ class SeveralVariables(Functions):
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
         """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
-        if not isinstance(ring, Polynomials) or ring.names != self.names:
+        if not isinstance(ring, PolynomialRing) or ring.names != self.names:
             return False
         below = self.constants
         return below.name == ring.base.name or below.is_fraction_field_of(ring.base)

@@ -16,7 +16,7 @@ MAX_DEGREE = 2_000
 Poly = tuple[tuple[tuple[int, ...], Any], ...]  # exponents and nonzero coefficients, in order
 
 
-class Polynomials(Ring):
+class PolynomialRing(Ring):
     """``base[names]``, the base being a domain."""
 
     is_integral = True
@@ -110,7 +110,7 @@ def _polynomials(data: Mapping[str, object], ring: ReadRing) -> Ring:
         reject(
             f"{base.name}[{','.join(names)}] reads as the ring that the number {number} generates"
         )
-    return Polynomials(base, names)
+    return PolynomialRing(base, names)
 
 
 KINDS: dict[str, Kind] = {"polynomials": _polynomials}

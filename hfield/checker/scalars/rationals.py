@@ -74,10 +74,10 @@ class Rationals(Ring):
         """Return a place of the kind ``number``."""
         if not self.is_field or keyed(data, "a place").get("kind") != "number":
             return super().place(data)
-        return Number(two_or_odd(an_object(data, "kind n", "a place")["n"]))
+        return RationalPlace(two_or_odd(an_object(data, "kind n", "a place")["n"]))
 
 
-class Number(ModuloNumber):
+class RationalPlace(ModuloNumber):
     """ℚ at n: integral are the fractions whose denominator is prime to n."""
 
     def __init__(self, n: int) -> None:

@@ -51,7 +51,7 @@ MAX_PARTS = 64
 
 
 @dataclass(frozen=True)
-class Proposition:
+class VocabularyStatement:
     """A word of the vocabulary with the texts between its braces."""
 
     word: str
@@ -67,7 +67,7 @@ SPECIAL: dict[str, Check] = {
 FORMS = {word: form for vocabulary in VOCABULARIES for word, form in vocabulary.FORMS.items()}
 
 
-def read_proposition(text: str, depth: int = 0) -> Proposition | None:
+def read_proposition(text: str, depth: int = 0) -> VocabularyStatement | None:
     """Read a statement of the vocabulary; None for any other."""
     m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL | re.ASCII)
     if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, ORDERS)):
@@ -84,10 +84,10 @@ def read_proposition(text: str, depth: int = 0) -> Proposition | None:
         parts = tuple(re.sub(r"\s*,\s*", ",", part, flags=re.ASCII) for part in parts)
         if not re.fullmatch(FORMS[m[1]], ";".join(parts)):
             reject(f"{shown(text)!r} is not how {m[1]} is written")
-    return Proposition(m[1], parts)
+    return VocabularyStatement(m[1], parts)
 
 
-def statements_inside(p: Proposition, setting: Setting) -> list[tuple[str, Setting]]:
+def statements_inside(p: VocabularyStatement, setting: Setting) -> list[tuple[str, Setting]]:
     """Return the parts that are statements, each with the ring or the rings that it is about."""
     settings = [setting] * len(p.parts)
     if p.word == "over":
@@ -102,7 +102,7 @@ def statements_inside(p: Proposition, setting: Setting) -> list[tuple[str, Setti
     return found[1:] if p.word in NAMED else found
 
 
-def need_meaning(p: Proposition, setting: Setting, depth: int = 0) -> None:
+def need_meaning(p: VocabularyStatement, setting: Setting, depth: int = 0) -> None:
     """Reject a statement with a part that says nothing, whether or not the evidence is about that part."""
     for text, there in statements_inside(p, setting):
         inner = read_proposition(text, depth + 1)
@@ -115,7 +115,7 @@ def need_meaning(p: Proposition, setting: Setting, depth: int = 0) -> None:
             orders.need_order_meaning(inner.word, inner.parts, there)
 
 
-def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
+def proposition_tree(p: VocabularyStatement, depth: int = 0) -> Tree:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
     if p.word in ORDERS:
         return orders.order_meaning(p.word, p.parts)
@@ -178,7 +178,7 @@ def names_of_rings(statement: str) -> list[str]:
     return sorted(rings_named(p)) if p else []
 
 
-def rings_named(p: Proposition, depth: int = 0) -> set[str]:
+def rings_named(p: VocabularyStatement, depth: int = 0) -> set[str]:
     """Return the names of rings in a statement of the vocabulary."""
     found = {p.parts[0]} if p.word == "over" else set()
     if p.word in LOGIC:
@@ -188,7 +188,9 @@ def rings_named(p: Proposition, depth: int = 0) -> set[str]:
     return found
 
 
-def _with_rings(p: Proposition, setting: Setting, evidence: object) -> tuple[Setting, object]:
+def _with_rings(
+    p: VocabularyStatement, setting: Setting, evidence: object
+) -> tuple[Setting, object]:
     """Read the rings that the statement names, each of them and no other, and the evidence beside them."""
     data = an_object(evidence, "kind rings evidence", "the evidence")
     rings = [read_ring(x) for x in a_list(data["rings"], "rings")]
@@ -228,7 +230,7 @@ def _with_the_same_names(text: str, setting: Setting) -> Setting:
 class _Logic:
     """One proposition made of others."""
 
-    def __init__(self, p: Proposition, text: str, setting: Setting, depth: int) -> None:
+    def __init__(self, p: VocabularyStatement, text: str, setting: Setting, depth: int) -> None:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth
         self.inside = statements_inside(p, setting)
 

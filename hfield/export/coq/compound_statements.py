@@ -12,7 +12,7 @@ from typing import Any
 
 from hfield.checker.glossary import PROVED, REFUTED, VACUOUS
 from hfield.checker.rejection import Rejected
-from hfield.checker.vocabulary.logic import Proposition, read_proposition
+from hfield.checker.vocabulary.logic import VocabularyStatement, read_proposition
 from hfield.evidence import Kind
 from hfield.export.coq.base_rings import base_ring_of
 from hfield.export.coq.cofactors import MismatchError
@@ -28,7 +28,7 @@ LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing"
 MAX_DEPTH = 6
 
 
-def read(text: str) -> Proposition | None:
+def read(text: str) -> VocabularyStatement | None:
     """Read a statement of the vocabulary as the checker does; None for one of the language."""
     try:
         return read_proposition(text)
@@ -99,7 +99,7 @@ def _named(name: str) -> Ring:
     return found
 
 
-def _core_alone(angles: Proposition, setting: Setting) -> bool:
+def _core_alone(angles: VocabularyStatement, setting: Setting) -> bool:
     """Tell whether ``angles{P; Q}`` says P alone: Q is said of RR, which is among all fields."""
     if setting.field is None:
         return len(angles.parts) == 1
@@ -113,7 +113,7 @@ def _no_word(word: str) -> NotCoveredError:
 class _CompoundStatement:
     """One statement made of others."""
 
-    def __init__(self, name: str, whole: Proposition, setting: Setting, depth: int) -> None:
+    def __init__(self, name: str, whole: VocabularyStatement, setting: Setting, depth: int) -> None:
         self.name, self.whole, self.setting, self.depth = name, whole, setting, depth
 
     def part(self, n: int, verdict: str, evidence: Mapping[str, Any]) -> tuple[Proved, str]:
