@@ -1,6 +1,7 @@
 """Which ring a text means, and what is said where it means none; names that fit are read back."""
 
 import json
+import re
 from random import Random
 
 import pytest
@@ -275,6 +276,31 @@ def test_elements_and_what_is_no_number(name: str, text: str) -> None:
     assert (x + 1 - 1, 1 + x - 1, 1 - (1 - x), 2 * x - x, x * 2 - x) == (x,) * 5
     assert x + x - x == +x
     assert -x + x + x == x
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "QQ(sqrt(2))",
+        "QQ[s]/(s^3-2)",
+        "QQ(x)",
+        "QQ(x,y)",
+        "QQ[x]/(x^2)",
+        "Qp(5)",
+        "QQ(I)(x)",
+        "GF(9)",
+    ],
+)
+def test_errors_name_the_ring_of_a_foreign_element(name: str) -> None:
+    with pytest.raises(CoercionError, match=re.escape(f"2 of {name} is not an element of GF(7)")):
+        ring("GF(7)")(ring(name)(2))
+
+
+def test_places_and_ideals_are_no_elements() -> None:
+    K = ring("QQ(sqrt(2))")
+    for x in (*K.real_places(), *K.primes_above(2), K.ideal(2)):
+        with pytest.raises(CoercionError, match="expected an int, a Fraction, an element"):
+            K(x)
 
 
 def test_equal_fields_are_one_field() -> None:

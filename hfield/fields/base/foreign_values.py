@@ -19,7 +19,8 @@ def parent_name(x: Any) -> str | None:
     if isinstance(x, flint.fq_default):
         p, n = int(x.polynomial().modulus()), len(x.to_list())
         return f"GF({p**n})"
-    if kind in ("Quotient", "FieldElement"):
+    is_of_ours = type(x).__module__.startswith("hfield.fields.") and hasattr(x, "__radd__")
+    if is_of_ours and hasattr(x, "field"):  # places and ideals have a field too, and are no numbers
         return str(x.field)
     if kind.endswith("_mpoly"):
         return f"the polynomials in {','.join(x.context().names())} ({kind})"
