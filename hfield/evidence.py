@@ -171,7 +171,7 @@ def why_rejected(data: dict[str, object]) -> str | None:
 
 
 @dataclass(frozen=True)
-class Claim:
+class CertifiedClaim:
     """A statement with its evidence; ``algebra`` is one, or a text with ``ring`` beside it."""
 
     algebra: Any
@@ -206,7 +206,7 @@ class Certified:
 
     @property
     @abstractmethod
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """What there is to certify, as a statement with its evidence."""
 
     @property

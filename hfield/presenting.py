@@ -11,7 +11,7 @@ from hfield.errors import shorten
 from hfield.latex import descriptions, words
 
 
-class Part(Protocol):
+class AnswerSection(Protocol):
     """A part of an answer: it has lines, none where it is not for pages, and LaTeX, or nothing."""
 
     def page(self, width: int) -> Sequence[str]:
@@ -21,12 +21,12 @@ class Part(Protocol):
         """Return LaTeX that stands in a document with amsmath."""
 
 
-def page(parts: Iterable[Part], width: int) -> str:
+def page(parts: Iterable[AnswerSection], width: int) -> str:
     """Lay out parts on a page, with an empty line between them."""
     return "\n\n".join("\n".join(lines) for part in parts if (lines := part.page(width)))
 
 
-def latex(parts: Iterable[Part]) -> str:
+def latex(parts: Iterable[AnswerSection]) -> str:
     """Set parts in LaTeX as paragraphs; a table belongs to the one before it."""
     text = ""
     for part in parts:

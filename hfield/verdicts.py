@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
 
 W = TypeVar("W")
 
@@ -32,7 +32,7 @@ class Verdict(Generic[W]):
     reason: str = ""
     witness: W | None = None
     theorem: str | None = None
-    make_claim: Callable[[], Claim | None] | None = field(default=None, kw_only=True)
+    make_claim: Callable[[], CertifiedClaim | None] | None = field(default=None, kw_only=True)
 
     @property
     def element(self) -> W | None:
@@ -40,7 +40,7 @@ class Verdict(Generic[W]):
         return self.witness
 
     @cached_property
-    def claim(self) -> Claim | None:
+    def claim(self) -> CertifiedClaim | None:
         """The statement with its evidence, or None where nothing is certified."""
         return None if self.make_claim is None else self.make_claim()
 

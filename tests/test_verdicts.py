@@ -4,7 +4,7 @@ import pickle
 
 from hfield import H, ring
 from hfield.algebra.structure_algebra import StructureAlgebra
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 from hfield.verdicts import Verdict
 
 
@@ -49,10 +49,10 @@ def test_verdicts_differ_where_reason_or_witness_do() -> None:
 def test_certificates_are_made_of_claims_on_first_use() -> None:
     calls = []
 
-    def claim() -> Claim:
+    def claim() -> CertifiedClaim:
         calls.append(1)
         evidence = {"kind": "class group"}
-        return Claim("", "class-group{1}", evidence, "class-group", refusal="too large")
+        return CertifiedClaim("", "class-group{1}", evidence, "class-group", refusal="too large")
 
     found = Verdict(True, make_claim=claim)
     assert not calls

@@ -6,7 +6,7 @@ Everything is counted by running or inspecting the package; what loads numpy doe
 from collections.abc import Sequence
 from inspect import signature
 
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 from rotation import thesis
 
 RING = 1000
@@ -21,13 +21,13 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
     ``what`` is a key of :meth:`anim.model.Model.counts`.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from anim.model import Model
 
         found = Model(ring=ring).counts()
         others = [f"{n} {kind}" for kind, n in found.items() if kind != what]
         steps = (*others, f"{found[what]} {what}")
-        return CheckResult(found[what] == count, steps, {what: [str(found[what])]})
+        return ComputedResult(found[what] == count, steps, {what: [str(found[what])]})
 
     return Computed(f"with {ring} points on each circle the model has {count} {what}", check_claim)
 
@@ -35,9 +35,9 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
 def listed(names: Sequence[str], count: int, of: str) -> Computed:
     """Say that a list printed in the thesis has so many entries; ``of`` says what it lists."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         step = f"{len(names)} listed: {', '.join(names)}"
-        return CheckResult(len(names) == count, (step,), {"listed": [str(len(names))]})
+        return ComputedResult(len(names) == count, (step,), {"listed": [str(len(names))]})
 
     return Computed(f"{of} has {count} entries", check_claim)
 
@@ -45,10 +45,10 @@ def listed(names: Sequence[str], count: int, of: str) -> Computed:
 def takes(name: str, count: int) -> Computed:
     """Say that a function of :mod:`rotation.thesis` takes so many arguments."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         names = list(signature(getattr(thesis, name)).parameters)
         step = f"{name}({', '.join(names)}) takes {len(names)}"
-        return CheckResult(len(names) == count, (step,), {"arguments": [str(len(names))]})
+        return ComputedResult(len(names) == count, (step,), {"arguments": [str(len(names))]})
 
     return Computed(f"{name} takes {count} arguments", check_claim)
 
@@ -60,12 +60,12 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
     and the last one of each tenth of the film but the last.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from anim.output.sheet import shown
 
         sheet = shown(frames)
         holds = list(numbers) == sheet and len(sheet) == 10 and max(sheet) < frames
-        return CheckResult(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
+        return ComputedResult(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
 
     text = f"the 10 frames of {frames} are {', '.join(map(str, numbers))}"
     return Computed(text, check_claim)
@@ -74,13 +74,13 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
 def loop(last: int) -> Computed:
     """Say that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         made, time = [], 0
         while time < 500:
             made.append(time)
             time += 1
         step = f"{len(made)} frames, from {made[0]} to {made[-1]}"
-        return CheckResult(
+        return ComputedResult(
             len(made) == 500 and made[-1] == last, (step,), {"last": [str(made[-1])]}
         )
 

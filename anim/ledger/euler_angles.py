@@ -3,7 +3,7 @@
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, names, negation, number
@@ -33,7 +33,7 @@ def leaning(axes: str) -> Angles:
         "for x = 0, π/2, π and 3π/2 the Euler angle (0, r·sin x, r·cos x) turns (0, 0, 1) into "
         "(sin r·sin x, −sin r·cos x, cos r)"
     )
-    return Angles(Statement.of(both(*equations), ("y**2 + s**2 == 1",), words))
+    return Angles(Assertion.of(both(*equations), ("y**2 + s**2 == 1",), words))
 
 
 # The last frame. x is 32π, so that u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions; the
@@ -50,7 +50,7 @@ def by_quaternions(cosine: Node, sine: Node) -> Vector:
 
 ALIKE = InField(
     "RR",
-    Statement.of(
+    Assertion.of(
         same(by_quaternions(ZERO, ONE)[0], BY_EULER[0]),
         AXIS,
         "in the last frame both ways turn the top's axis to a place with the same x",
@@ -58,7 +58,7 @@ ALIKE = InField(
 )
 APART = InField(
     "RR",
-    Statement.of(
+    Assertion.of(
         negation(equal(by_quaternions(P[0], P[1]), BY_EULER)),
         (*AXIS, "p[0]**2 + p[1]**2 == 1", "s**2 + t**2 == 1", "t != 0"),
         "in the last frame they turn the top's axis to different places, whatever the angle about u",
@@ -68,7 +68,7 @@ APART = InField(
 CIRCLES = tuple(f"{a}[0]**2 + {a}[1]**2 == 1" for a in "pqr")
 
 
-def matrix_of(axes: str, *given: str) -> Statement:
+def matrix_of(axes: str, *given: str) -> Assertion:
     """Say that rotationMatrixZYX(ψ, φ, θ) turns by its three angles about these axes, the last first."""
     angles, turn = names("psi phi theta"), code("rotationbyMatrix")
     v = stepwise = coordinates("v")
@@ -76,7 +76,7 @@ def matrix_of(axes: str, *given: str) -> Statement:
         stepwise = turn(code(f"{letter}axisMatrixrotation", **EULER)(angle), stepwise)
     matrix = code("rotationMatrixZYX", **EULER)(*angles)
     words = f"rotationMatrixZYX(ψ, φ, θ) turns by ψ about {axes[0]}, φ about {axes[1]}, θ about {axes[2]}"
-    return Statement.of(same_lists(turn(matrix, v), stepwise), given, words)
+    return Assertion.of(same_lists(turn(matrix, v), stepwise), given, words)
 
 
 COMPUTED = {

@@ -8,9 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from anim.ledger.counting import RING, takes
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.syntax import Node, both, conj, equal, inv, names, norm, unequal
 from rotation.ledger.symbolic_runs import Vector, code, coordinates, point, quaternion, scalar
 
@@ -40,28 +40,28 @@ TWICE = code("rotationquaternionChaged")(
 )  # first about z
 
 
-def first_about_z(turned: Node, name: str) -> Statement:
+def first_about_z(turned: Node, name: str) -> Assertion:
     """Say that a term is the point turned about the z axis, and then by q; ``name`` says which term."""
     spun = SPIN * POINT * inv(SPIN)
-    return Statement.of(
+    return Assertion.of(
         equal(turned, Q * spun * inv(Q)),
         (unequal(norm(SPIN), 0), unequal(norm(Q), 0)),
         f"{name} is x turned first about the z axis, by q1, and then by q2",
     )
 
 
-def once(first: Parts, second: Parts, name: str) -> Statement:
+def once(first: Parts, second: Parts, name: str) -> Assertion:
     """Say that turning twice is turning once by the product; ``name`` says which product."""
     product = code("multiQuaternion")(*second, *first)
     turned = code("rotationquaternionChaged")(*product, ELEMENT)
-    return Statement.of(
+    return Assertion.of(
         equal(point(TWICE), point(turned)),
         words=f"turning by q1 and then by q2 is rotationquaternionChaged({name}, x)",
     )
 
 
 PRODUCT = code("multiQuaternion")(*Q1, *Q2)
-INVERSE = Statement.of(
+INVERSE = Assertion.of(
     equal(quaternion(*PRODUCT) * quaternion(*code("conjugateQuaternion")(*PRODUCT)), E),
     ("norm(p) == 1", "norm(q) == 1"),
     "if |q1| = |q2| = 1, conjugateQuaternion of the product is its inverse",
@@ -105,7 +105,7 @@ def work(points: int) -> tuple[int, int]:
 def saves(factor: int) -> Computed:
     """Say that spin3dOptimized turns the points of the model by so many times fewer multiplications."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from anim.model import Model
 
         points = len(Model(ring=RING).points)
@@ -114,7 +114,7 @@ def saves(factor: int) -> Computed:
             f"{points} points: {2 * points} rotations, {before} multiplications by spin3d",
             f"{points} rotations, {after} multiplications by spin3dOptimized",
         )
-        return CheckResult(before >= factor * after, steps, {"multiplications": [str(after)]})
+        return ComputedResult(before >= factor * after, steps, {"multiplications": [str(after)]})
 
     return Computed(
         f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", check_claim
@@ -128,13 +128,13 @@ COMPUTED = {
         corrected=first_about_z(EXCHANGED, "q2·q1·x·q1⁻¹·q2⁻¹"),
     ),
     "C3.4.2-b": Propositions(
-        as_printed=Statement(f"{FORMULA} == (p*q)*v*inv(p*q)", BOTH),
-        spoilt=Statement(f"{FORMULA} == (q*p)*v*inv(q*p)", BOTH),
+        as_printed=Assertion(f"{FORMULA} == (p*q)*v*inv(p*q)", BOTH),
+        spoilt=Assertion(f"{FORMULA} == (q*p)*v*inv(q*p)", BOTH),
     ),
-    "C3.4.2-c": Propositions(as_printed=Statement(THEOREM_7, BOTH), spoilt=Statement(THEOREM_7)),
+    "C3.4.2-c": Propositions(as_printed=Assertion(THEOREM_7, BOTH), spoilt=Assertion(THEOREM_7)),
     "C3.4.2-d": Propositions(
-        as_printed=Statement.of(proof(conj(Q) * conj(P)), BOTH),
-        spoilt=Statement.of(proof(conj(P) * conj(Q)), BOTH),
+        as_printed=Assertion.of(proof(conj(Q) * conj(P)), BOTH),
+        spoilt=Assertion.of(proof(conj(P) * conj(Q)), BOTH),
     ),
     "C3.4.2-e": Propositions(as_printed=once(Q1, Q2, "q2·q1"), spoilt=once(Q2, Q1, "q1·q2")),
     "C3.4.2-f": Propositions(

@@ -7,9 +7,9 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Statement, written
+from hfield.ledger.propositions import Assertion, Every, written
 from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, conj, names, norm, number
@@ -37,7 +37,7 @@ def tilted_without_spin(own: Node) -> Angles:
     attitude = quaternion(1, U)
     tilt = attitude * conj(own)
     return Angles(
-        Statement.of(
+        Assertion.of(
             both(same(tilt[3], 0), same(tilt * own, norm(own) * attitude)),
             words="for every x the rotation by π/2 about u is the turn of the top about its own axis by "
             "1 + √(1−r²)·k, the same for all x, and then a tilt about a horizontal axis",
@@ -51,7 +51,7 @@ def precession(cosine: Node, sine: Node) -> Angles:
     By x if the cosine and sine are those of x.
     """
     return Angles(
-        Statement.of(
+        Assertion.of(
             equal(LEANING, apply(rotation("z", cosine, sine), AT_FIRST)), (ON_CIRCLE, ROOT)
         )
     )
@@ -59,8 +59,8 @@ def precession(cosine: Node, sine: Node) -> Angles:
 
 def height(of_apex: Node) -> Every:
     """Say how high the end of the unit vector on the top's axis is, and that it is upright for r = 0."""
-    upright = Statement.of(equal(LEANING, UP), ("y == 0", "z == 1"))
-    return Every((Statement.of(same(LEANING[2], of_apex), (ROOT,)), upright))
+    upright = Assertion.of(equal(LEANING, UP), ("y == 0", "z == 1"))
+    return Every((Assertion.of(same(LEANING[2], of_apex), (ROOT,)), upright))
 
 
 # spin3d on terms: s and t are the cosine and sine of half an angle.
@@ -77,12 +77,12 @@ def spin_about(letter: str) -> Every:
     spins = same_lists(SPUN, code("rotationbyMatrix")(matrix, Q))
     return Every(
         (
-            Statement.of(
+            Assertion.of(
                 spins,
                 (CIRCLE,),
                 f"rotationquaternion(speed, [0, 0, 1], x) turns x about the {letter} axis by speed",
             ),
-            Statement.of(
+            Assertion.of(
                 same(TURNED, rodrigues(S**2 - T**2, 2 * S * T)),
                 (CIRCLE, UNIT),
                 "rotationquaternion(angle, u, x) turns x about u by angle if |u| = 1",
@@ -97,7 +97,7 @@ def drawn(falling: bool) -> Computed:
     500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         import numpy as np
 
         from anim.timeline import Timeline
@@ -113,7 +113,9 @@ def drawn(falling: bool) -> Computed:
         }
         off = {name: float(abs(a - b).max()) for name, (a, b) in wanted.items()}
         steps = tuple(f"{name}: at most {most:.1e} from its place" for name, most in off.items())
-        return CheckResult(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
+        return ComputedResult(
+            max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]}
+        )
 
     order = "decreasing" if falling else "increasing"
     return Computed(
@@ -137,14 +139,14 @@ SLOWER = Less(written(turn(number(498))), written(turn(ZERO)), f"{LAST_TURN} < {
 LARGER = Less(
     written(spin(number(499))), written(spin(ZERO)), "the angle in frame 499 < the angle in frame 0"
 )
-CONSTANT = Statement.of(
+CONSTANT = Assertion.of(
     same(turn(S), turn(ZERO)), (), "the turn from each frame to the next is the same"
 )
 
 
 def azimuth_steps(parts: int) -> InField:
     """Say that 32π in so many steps makes 11.54° a step, and 16 turns in all."""
-    whole = Statement(f"{parts}*(32/{parts}) == 2*16")
+    whole = Assertion(f"{parts}*(32/{parts}) == 2*16")
     degrees = between("11.535", f"180*32/{parts}", "11.545", "the step in degrees")
     return InField("QQ", Every((whole, degrees)))
 
@@ -152,7 +154,7 @@ def azimuth_steps(parts: int) -> InField:
 def unit(vector: Vector) -> Angles:
     """Say that an axis has length 1."""
     x, y, z = vector
-    return Angles(Statement.of(same(x**2 + y**2 + z**2, 1), (ON_CIRCLE, ROOT)))
+    return Angles(Assertion.of(same(x**2 + y**2 + z**2, 1), (ON_CIRCLE, ROOT)))
 
 
 FILM = "500*20 == 10*1000 and 1000/20 == 50"
@@ -170,8 +172,8 @@ COMPUTED = {
     ),
     "C3.4.1-f": Propositions(as_printed=spin_about("z"), spoilt=spin_about("y")),
     "C3.4.1-h": Propositions(
-        as_printed=InField("QQ", Statement(FILM)),
-        spoilt=InField("QQ", Statement(FILM.replace("20", "25"))),
+        as_printed=InField("QQ", Assertion(FILM)),
+        spoilt=InField("QQ", Assertion(FILM.replace("20", "25"))),
     ),
     "C3.4.1-i": Propositions(as_printed=drawn(falling=True), spoilt=drawn(falling=False)),
     "C3.4.1-j": Propositions(

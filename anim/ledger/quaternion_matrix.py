@@ -5,7 +5,7 @@ q = a + bi + cj + dk, and v a point. The function is run on terms.
 
 from anim.ledger.counting import takes
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.syntax import Node, both, conj, equal, names, norm, unequal
 from rotation.ledger.entries import Matrix, matrix, orthogonal, transpose
 from rotation.ledger.symbolic_runs import code, coordinates, point, read_as
@@ -29,7 +29,7 @@ MENDED = quaternion_matrix("2*(c*d - a*b)")
 UNIT = ("norm(q) == 1",)
 
 
-def turns(m: Matrix, sixth: str) -> Statement:
+def turns(m: Matrix, sixth: str) -> Assertion:
     """Say that a matrix turns i, j and k, and so every point, as the unit quaternion q does.
 
     ``sixth`` names its sixth entry.
@@ -39,23 +39,23 @@ def turns(m: Matrix, sixth: str) -> Statement:
         equal(point(column), QUATERNION * unit * conj(QUATERNION)) for unit, column in columns
     ]
     words = f"if |q| = 1, the matrix with {sixth} takes every point x to q·x·q̄"
-    return Statement.of(both(*turned), UNIT, words)
+    return Assertion.of(both(*turned), UNIT, words)
 
 
-def is_orthogonal(m: Matrix, sixth: str) -> Statement:
+def is_orthogonal(m: Matrix, sixth: str) -> Assertion:
     """Say that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its sixth entry."""
-    return Statement.of(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
+    return Assertion.of(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
 
 
 EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
 
 
-def above_all(claim: Statement) -> Every:
+def above_all(claim: Assertion) -> Every:
     """Return the claim with a case of it in front: unit quaternions of four equal coordinates.
 
     Where the claim is wrong the case shows it, over fields with few unit quaternions too.
     """
-    return Every((Statement(claim.formula, (*EQUAL, *claim.given)), claim), claim.text)
+    return Every((Assertion(claim.formula, (*EQUAL, *claim.given)), claim), claim.text)
 
 
 # rotationMatrixFromQuaternion(angle, p): s and t are the cosine and sine of half the angle, y the length
@@ -72,9 +72,9 @@ CIRCLE = "s**2 + t**2 == 1"
 LENGTH = (equal(Y**2, norm(point(P))), unequal(Y, 0))
 
 
-def made_of(h: Node, words: str, *given: str) -> Statement:
+def made_of(h: Node, words: str, *given: str) -> Assertion:
     """Say that the function's matrix turns points as a quaternion does."""
-    return Statement.of(equal(TURNED, h * point(V) * conj(h)), (*LENGTH, *given), words)
+    return Assertion.of(equal(TURNED, h * point(V) * conj(h)), (*LENGTH, *given), words)
 
 
 NORMALISED = made_of(

@@ -5,7 +5,7 @@ from fractions import Fraction
 from inspect import Parameter, signature
 
 from anim.ledger.counting import RING
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 from hfield.ledger.document import Propositions
 
 # The calls of sections 3.4 and 3.4.1, as start, stop and num; angles in units of π.
@@ -20,7 +20,7 @@ def parameters(all_of_them: int, needed: int) -> Computed:
     ``needed`` are those that the thesis gives.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from numpy import linspace
 
         found = signature(linspace).parameters.values()
@@ -33,7 +33,7 @@ def parameters(all_of_them: int, needed: int) -> Computed:
             f"optional after the first {needed}: {', '.join(optional)}",
         )
         holds = len(placed) == all_of_them and len(optional) == all_of_them - needed
-        return CheckResult(holds, steps, {"arguments": [str(len(placed))]})
+        return ComputedResult(holds, steps, {"arguments": [str(len(placed))]})
 
     rest = all_of_them - needed
     return Computed(
@@ -48,7 +48,7 @@ def spaced(steps: Callable[[int], int], interval: str) -> Computed:
     all that the thesis uses, up to rounding.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from numpy import linspace
 
         found, holds = [], True
@@ -61,7 +61,7 @@ def spaced(steps: Callable[[int], int], interval: str) -> Computed:
                 f"linspace({start}, {stop}, {num}): {len(values)} numbers from {values[0]:g} to "
                 f"{values[-1]:g}, at most {float(most):.1e} from their places"
             )
-        return CheckResult(holds, tuple(found))
+        return ComputedResult(holds, tuple(found))
 
     return Computed(f"linspace returns num equally spaced numbers of {interval}", check_claim)
 
@@ -69,7 +69,7 @@ def spaced(steps: Callable[[int], int], interval: str) -> Computed:
 def circle_points(different: bool) -> Computed:
     """Say that ``linspace(0, 2π, 1000)`` gives 1000 points on each circle, or that they are different."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         import numpy as np
 
         from anim.model import READINGS
@@ -87,7 +87,7 @@ def circle_points(different: bool) -> Computed:
             f"{len(angles)} angles, {len(places)} of them different up to full turns",
             f"the points are on x² + y² = 1 and (1/3)³ up to {off:.1e}",
         )
-        return CheckResult(
+        return ComputedResult(
             count == RING and off < ROUNDING, steps, {"different": [str(len(places))]}
         )
 

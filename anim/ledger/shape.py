@@ -11,9 +11,9 @@ from itertools import pairwise
 from anim.ledger.counting import model_has
 from hfield.checker.glossary import CIRCLE, NO_MEANING
 from hfield.fields.base.ring import Ring
-from hfield.ledger.claim import CheckResult, Computed, Proposition
+from hfield.ledger.claim import Computed, ComputedResult, Proposition
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.ledger.real_geometry import REAL
 from hfield.ledger.scopes import OnlyOver
 from hfield.prover.decision import NOT_APPLICABLE, Decision
@@ -35,7 +35,7 @@ def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -
     circle = f"p[1]**2 + p[2]**2 == {base or radius2}"
     through = f"p[3] == {height} => not ({circle}) or {here}"
     words = f"the lines from (0, 0, {apex}) to {name} lie on a cone about the z axis"
-    return Every((Statement(through), Statement(f"{here} => {line}")), words if name else "")
+    return Every((Assertion(through), Assertion(f"{here} => {line}")), words if name else "")
 
 
 @dataclass(frozen=True)
@@ -79,8 +79,8 @@ POLYGONS = "Inscribed polygons of the real circle are meant."
 def nearer(sign: str) -> OnlyOver:
     """Say that z² − y² is GAP/2, and that GAP, or −GAP, is positive: no norm is its negative."""
     parts = (
-        Statement(f"2*(z**2 - y**2) == {GAP}", HALVED),
-        Statement(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
+        Assertion(f"2*(z**2 - y**2) == {GAP}", HALVED),
+        Assertion(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
     )
     return OnlyOver(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
 
@@ -91,7 +91,7 @@ def closed(band: bool) -> Computed:
     A surface is closed if each side of a polygon is the side of one other, met the other way round.
     """
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from anim.model import Model
 
         model = Model()
@@ -104,7 +104,7 @@ def closed(band: bool) -> Computed:
             f"{len(polygons)} polygons, {len(alone)} of their sides without a partner",
             f"corners − edges + polygons = {bulge}",
         )
-        return CheckResult(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
+        return ComputedResult(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
 
     joined = "with their bases joined point by point" if band else "not joined"
     return Computed(f"the two cones, {joined}, make one closed surface", check_claim)
@@ -113,12 +113,12 @@ def closed(band: bool) -> Computed:
 def corners(allowed: tuple[int, ...]) -> Computed:
     """Say that every polygon has one of these numbers of corners, and each number occurs."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         from anim.model import Model
 
         found = Counter(map(len, Model(ring=10).polygons))
         steps = tuple(f"{n} polygons with {size} corners" for size, n in sorted(found.items()))
-        return CheckResult(
+        return ComputedResult(
             set(found) == set(allowed), steps, {"corners": [*map(str, sorted(found))]}
         )
 

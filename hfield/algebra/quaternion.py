@@ -27,7 +27,7 @@ from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
-from hfield.syntax.other_systems import Writer
+from hfield.syntax.other_systems import OtherSystemWriter
 from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
@@ -908,7 +908,7 @@ class Quaternion(Hinted, PrintedBySympy):
             raise CoercionError(
                 "text_for writes one element, and this is an array of them: write q[n].text_for(system)"
             )
-        writer = Writer(self.ring, self.algebra.constants, system)
+        writer = OtherSystemWriter(self.ring, self.algebra.constants, system)
         return writer.element(self.coordinates)
 
     def __str__(self) -> str:

@@ -11,7 +11,7 @@ from hfield.cli.output import Sink, open_output
 
 if TYPE_CHECKING:
     from hfield.ledger.claims_table import Style
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class OutputDocument:
 
 
 def of_parts(
-    data: Callable[[], Mapping[str, object]], parts: Callable[[], Sequence[Part]]
+    data: Callable[[], Mapping[str, object]], parts: Callable[[], Sequence[AnswerSection]]
 ) -> OutputDocument:
     """Return the answer whose page and LaTeX are laid out from parts."""
     from hfield import presenting

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.lattice import ClassSet, Ideal, Lattice
 
 PATIENCE = 10
@@ -47,7 +47,8 @@ def add_answers(parser: ArgumentParser) -> None:
 
 
 def answer_certified(
-    args: Namespace, answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim]]]
+    args: Namespace,
+    answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], CertifiedClaim]]],
 ) -> int:
     """Answer, and write a certificate with --certificate; primes given as factors are used."""
     with given_factors(args), open_output(args.certificate) as file:

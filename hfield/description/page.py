@@ -13,7 +13,7 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.latex import words
 from hfield.notation import element_text
-from hfield.presenting import Facts, LayoutBlock, Part, hanging
+from hfield.presenting import AnswerSection, Facts, LayoutBlock, hanging
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 WIDTH = 100  # where nobody says how wide the page is
 
 
-def parts(d: Description) -> list[Part]:
+def parts(d: Description) -> list[AnswerSection]:
     """Return the page about an algebra in parts: what it is, its table, and what is known of it."""
     A = d.algebra
     over = A.ring.in_words()

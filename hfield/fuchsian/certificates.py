@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.checker.glossary import POINCARE
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain, NormOneGroup
 
 
-def of_domain(domain: Domain) -> Claim:
+def of_domain(domain: Domain) -> CertifiedClaim:
     """Return that the domain around its centre has these sides, by the units across them."""
     parts = [_joined([domain.center_element]), _joined(domain.polygon.units)]
     return domain.group.order.claim("dirichlet-domain", parts, {})
 
 
-def of_group(group: NormOneGroup, domain: Domain) -> Claim:
+def of_group(group: NormOneGroup, domain: Domain) -> CertifiedClaim:
     """Return the signature and the presentation of a group; the domain shows them."""
     genus, orders, cusps = group.signature
     relations = ", ".join(" ".join(map(str, word)) for word in group.relations)

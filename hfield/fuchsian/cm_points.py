@@ -43,7 +43,7 @@ from hfield.orders.short_elements import ternary_rows
 from hfield.orders.ternary_values import vectors_of_value
 
 if TYPE_CHECKING:
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.fuchsian.group import Domain, NormOneGroup
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
@@ -349,7 +349,7 @@ def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
                 yield root
 
 
-def claim_of_orbits(group: NormOneGroup, d: object) -> Claim:
+def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
     """Return how many orbits of embeddings there are, with all of them, as a statement with its evidence.
 
     Raises :class:`LatticeError` over other bases than ℤ, and as :func:`of_orbits` does.

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.evidence import Certified, Claim
+from hfield.evidence import Certified, CertifiedClaim
 from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import SplitOrder
@@ -98,7 +98,7 @@ class Domain(Certified):
         return f"a Dirichlet domain with {len(self.partners)} sides of {self.group}"
 
     @property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """What the sides are, as a statement with its evidence."""
         from hfield.fuchsian import certificates
 
@@ -234,7 +234,7 @@ class NormOneGroup(Certified, Hinted):
         return _signature(self.area, orders, cusps)
 
     @property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """Signature and presentation, as a statement with its evidence: the domain."""
         from hfield.fuchsian import certificates
 

@@ -12,7 +12,7 @@ from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 from hfield.fuchsian import area
 from hfield.orders import certificates
 from hfield.orders.ideals_of_norm import two_sided_prime
@@ -182,7 +182,9 @@ class SplitOrder:
         """Return an element as evidence has it."""
         return certificates.element_json(self.order.ambient, g)
 
-    def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
+    def claim(
+        self, word: str, parts: list[str], shown: dict[str, Any], *cited: str
+    ) -> CertifiedClaim:
         """Return a statement about the order that begins with a word, with its evidence."""
         return certificates.of_units(self.order, word, parts, shown, *cited)
 

@@ -162,7 +162,7 @@ def decide(claim: Claim, field: str) -> Row:
 
 
 @dataclass(frozen=True)
-class CheckResult:
+class ComputedResult:
     """What a computation found: whether the proposition holds, and lines that show it.
 
     ``witness`` holds the values at which it fails, where there are any to name.
@@ -181,7 +181,7 @@ class Computed:
     """
 
     text: str
-    compute: Callable[[], CheckResult]
+    compute: Callable[[], ComputedResult]
     method: str = "computation"
 
     @property

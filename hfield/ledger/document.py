@@ -14,7 +14,7 @@ from hfield.errors import HFieldError, NotationError, shorten
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
 from hfield.ledger.columns import split_columns
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.prover.statements.setting import read_setting
 from hfield.syntax import plain
 
@@ -225,11 +225,11 @@ class _Document:
         if texts is None:
             return None
         given, algebra = data.get("given", ()), data.get("algebra")
-        parts = [Statement(text, given, algebra=algebra) for text in texts]
+        parts = [Assertion(text, given, algebra=algebra) for text in texts]
         words = data.get(f"{key}_words", "")
         if len(parts) > 1:
             return Every(tuple(parts), words)
-        return Statement(texts[0], given, words, algebra)
+        return Assertion(texts[0], given, words, algebra)
 
     def _fields(self, data: Mapping[str, Any], algebra: str | None) -> tuple[str, ...]:
         """Return the columns of the claim: those it names, that of its algebra, or the panel."""

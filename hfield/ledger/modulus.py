@@ -30,7 +30,7 @@ from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.base.ring import INFINITY, Ring
 from hfield.ledger.base_field import hamilton, texts
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.scopes import search_panel
 from hfield.prover.decision import Decision
 from hfield.prover.steps import say
@@ -38,7 +38,7 @@ from hfield.prover.steps import say
 CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out
 
 # In characteristic 2 each norm is the square of the sum of the coordinates.
-SUM_OF_ALL = Statement("norm(q) == (q[0] + q[1] + q[2] + q[3])**2")
+SUM_OF_ALL = Assertion("norm(q) == (q[0] + q[1] + q[2] + q[3])**2")
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ def written(node: Node | str) -> str:
 
 
 @dataclass(frozen=True)
-class Statement:
+class Assertion:
     """A statement of the language, for all values of its unknowns; ``given`` are hypotheses.
 
     ``words`` say it to people, where the formula is too long to read. ``algebra`` is H if None.
@@ -40,7 +40,7 @@ class Statement:
     @classmethod
     def of(
         cls, formula: Node | str, given: Sequence[Node | str] = (), words: str = ""
-    ) -> Statement:
+    ) -> Assertion:
         """Return the statement that a tree says, under hypotheses that are trees or texts."""
         return cls(written(formula), tuple(map(written, given)), words)
 

@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion import Parent
     from hfield.fields.base.flint_types import Polynomial, Rational
     from hfield.fields.base.ring import Ring
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -313,7 +313,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     def outside(self, x: NumberT) -> BaseNumber:
         """Convert an element of ``field`` to one of ``ring``."""
 
-    def shown_number(self, x: Integer) -> int | Quotient:
+    def shown_number(self, x: Integer) -> int | RationalFunction:
         """Return a number of the domain as a user sees it."""
 
     def shown_norm(self, lattice: LatticeValue) -> ShownIdeal:

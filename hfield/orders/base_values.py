@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
     from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fq_default_poly, nmod_mat
 
-    from hfield.fields.function_fields.ideals import PolynomialIdeal
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.ideals import FunctionFieldIdeal
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.orders.polynomial_matrices import FractionMatrix, PolynomialMatrix
     from hfield.orders.residue_matrices import ResidueMatrix
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Integer: TypeAlias = "int | fmpz | fq_default_poly"
 """A number of the domain over which lattices are matrices: an integer, or a polynomial over GF(q)."""
 
-Rational: TypeAlias = "fmpq | Quotient"
+Rational: TypeAlias = "fmpq | RationalFunction"
 """A fraction of two numbers of the domain."""
 
 IntegerMatrix: TypeAlias = "fmpz_mat | PolynomialMatrix"
@@ -32,7 +32,7 @@ ModularMatrix: TypeAlias = "nmod_mat | ResidueMatrix"
 Prime: TypeAlias = Hashable
 """A prime of a base: over ℤ a number, elsewhere a prime ideal. Only the base looks into it."""
 
-ShownIdeal: TypeAlias = "int | Fraction | FractionalIdeal | PolynomialIdeal"
+ShownIdeal: TypeAlias = "int | Fraction | FractionalIdeal | FunctionFieldIdeal"
 """An ideal as a user sees it: over ℤ the positive number that generates it."""
 
 

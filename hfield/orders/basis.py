@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
     from hfield.algebra.quaternion import Parent
     from hfield.fields.base.flint_types import Polynomial
-    from hfield.fields.function_fields.ideals import PolynomialIdeal
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.ideals import FunctionFieldIdeal
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -414,7 +414,7 @@ def _integers_of(
 ) -> (
     TypedBase[fmpq, Fraction | int, int, int]
     | TypedBase[FieldElement, FractionalIdeal, PrimeIdeal, Polynomial]
-    | TypedBase[Quotient, PolynomialIdeal, PolynomialIdeal, fq_default_poly]
+    | TypedBase[RationalFunction, FunctionFieldIdeal, FunctionFieldIdeal, fq_default_poly]
 ):
     if ring == QQ:
         return RATIONAL_INTEGERS

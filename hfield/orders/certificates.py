@@ -36,7 +36,7 @@ from hfield.checker.glossary import (
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
 from hfield.errors import LatticeError
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.rationals.whole_numbers import fraction, square_root
@@ -70,7 +70,7 @@ Refutation = tuple[str, dict[str, object]]
 # --- statements ------------------------------------------------------------------------------------
 
 
-def of_order(order: LatticeValue) -> Claim:
+def of_order(order: LatticeValue) -> CertifiedClaim:
     """Return that this is an order of its discriminant; and maximal, if the checker can tell."""
     words = _words(order.ambient)
     about = f"{text(order)}; {words.size(discriminant(order))}"
@@ -81,7 +81,7 @@ def of_order(order: LatticeValue) -> Claim:
     return words.claim(ORDER, about, ORDER)
 
 
-def of_ideal(ideal: LatticeValue, side: str, order: LatticeValue) -> Claim:
+def of_ideal(ideal: LatticeValue, side: str, order: LatticeValue) -> CertifiedClaim:
     """Return that this is a locally principal ideal of its order, and its norm."""
     words = _words(ideal.ambient)
     about = f"{text(ideal)}; {_side(side)}; {text(order)}; {words.size(ideal.norm)}"
@@ -94,7 +94,7 @@ def of_equivalence(
     second: LatticeValue,
     between: LatticeValue | None,
     result: EquivalenceResult,
-) -> Claim:
+) -> CertifiedClaim:
     """Return that an element carries one ideal to another, or that none does.
 
     ``between`` has the c with first·c in second, or c·first on the right; without it, it is computed.
@@ -109,7 +109,9 @@ def of_equivalence(
     return _refuted(words, EQUIVALENT, about, found)
 
 
-def of_isomorphism(first: LatticeValue, second: LatticeValue, result: EquivalenceResult) -> Claim:
+def of_isomorphism(
+    first: LatticeValue, second: LatticeValue, result: EquivalenceResult
+) -> CertifiedClaim:
     """Return that an element conjugates one order into another, or that the orders are not isomorphic."""
     about = f"{text(first)}; {text(second)}"
     words = _words(first.ambient)
@@ -121,14 +123,14 @@ def of_isomorphism(first: LatticeValue, second: LatticeValue, result: Equivalenc
     return _refuted(words, ISOMORPHIC, about, found)
 
 
-def _proved(words: _Words, word: str, about: str, result: EquivalenceResult) -> Claim:
+def _proved(words: _Words, word: str, about: str, result: EquivalenceResult) -> CertifiedClaim:
     """Return that there is an element; without it the checker is not asked."""
     if result.element is None:
         return words.claim(word, about, "strong approximation", refusal=REFUSAL)
     return words.claim(word, about, ELEMENT, element=words.element(result.element))
 
 
-def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> Claim:
+def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> CertifiedClaim:
     """Return that there is no element; the checker is not asked where nothing shows it."""
     if found is None:
         reason = "nothing that the checker follows was found to tell them apart"
@@ -137,7 +139,7 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
     return words.claim(word, about, method, "refuted", None, **shown)
 
 
-def of_unit_index(order: LatticeValue, number: int) -> Claim:
+def of_unit_index(order: LatticeValue, number: int) -> CertifiedClaim:
     """Return how many units there are modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
     ambient = order.ambient
     if ambient.base.is_polynomial:
@@ -148,28 +150,30 @@ def of_unit_index(order: LatticeValue, number: int) -> Claim:
     statement = f"unit-index{{{text(order)}; {number}}}"
     data = {"kind": "unit-index", **shown}
     cited = evidence.cited(s_units(ambient.base.ring))
-    return Claim(order.algebra, statement, data, ENUMERATION, assumes=cited)
+    return CertifiedClaim(order.algebra, statement, data, ENUMERATION, assumes=cited)
 
 
 def of_units(
     order: LatticeValue, word: str, parts: list[str], shown: dict[str, object], *cited: str
-) -> Claim:
+) -> CertifiedClaim:
     """Return a statement about the units of norm 1 of an order that splits at one real place."""
     words = _words(order.ambient)
     kind = words.names.get(word, word)
     data = {"kind": kind, **words.of_mass(order), **shown}
     statement = f"{kind}{{{'; '.join([text(order), *parts])}}}"
-    return Claim(order.algebra, statement, data, BY_AREA, assumes=(*words.area_theorems, *cited))
+    return CertifiedClaim(
+        order.algebra, statement, data, BY_AREA, assumes=(*words.area_theorems, *cited)
+    )
 
 
-def of_class_set(classes: Classes) -> Claim:
+def of_class_set(classes: Classes) -> CertifiedClaim:
     """Return how many right ideal classes an order has, with one ideal of each."""
     return _words(classes.ambient).class_set(classes)
 
 
 def of_embedding(
     order: LatticeValue, d: object, element: Quaternion | None, prime: object = None
-) -> Claim:
+) -> CertifiedClaim:
     """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
 
     That it is not is shown by a prime at which there is no embedding, or in a definite algebra by a list.
@@ -181,16 +185,16 @@ def of_embedding(
     shown: dict[str, object] = {"kind": "embedding"}
     if element is not None:
         shown["element"] = words.element(element)
-        return Claim(order.algebra, statement, shown, ELEMENT)
+        return CertifiedClaim(order.algebra, statement, shown, ELEMENT)
     if prime is not None:
         shown["prime"] = prime
-        return Claim(order.algebra, statement, shown, BY_PRIME, "refuted")
+        return CertifiedClaim(order.algebra, statement, shown, BY_PRIME, "refuted")
     if not order.ambient.definite:
         raise LatticeError(
             "that no embedding exists has a certificate where a prime rules it out, and here none is known to"
         )
     shown["basis"] = _basis(order, order.ambient.base.field.one)
-    return Claim(order.algebra, statement, shown, ENUMERATION, "refuted")
+    return CertifiedClaim(order.algebra, statement, shown, ENUMERATION, "refuted")
 
 
 def of_embedding_orbits(
@@ -199,7 +203,7 @@ def of_embedding_orbits(
     elements: Sequence[Quaternion],
     center: Quaternion,
     units: Sequence[Quaternion],
-) -> Claim:
+) -> CertifiedClaim:
     """Return how many orbits of embeddings there are under units of norm 1: those of elements and conjugates.
 
     Their points lie in the domain around a centre that the units bound, for d < 0. For d > 0, where the
@@ -217,7 +221,7 @@ def of_embedding_orbits(
     negative = order.ambient.base.is_totally_positive(-order.ambient.base.inside(d))
     number = (2 if negative else 1) * len(elements)
     statement = f"embedding-orbits{{{text(order)}; {d}; {number}}}"
-    return Claim(
+    return CertifiedClaim(
         order.algebra,
         statement,
         shown,
@@ -300,10 +304,10 @@ class _Words(Protocol):
         verdict: str = "proved",
         refusal: str | None = None,
         **shown: object,
-    ) -> Claim:
+    ) -> CertifiedClaim:
         """Return a statement with its evidence."""
 
-    def class_set(self, classes: Classes) -> Claim:
+    def class_set(self, classes: Classes) -> CertifiedClaim:
         """Return how many right ideal classes an order has, with one ideal of each."""
 
     def no_equivalence(
@@ -350,12 +354,12 @@ class _Rational:
         verdict: str = "proved",
         refusal: str | None = None,
         **shown: object,
-    ) -> Claim:
+    ) -> CertifiedClaim:
         name, algebra = self.names.get(word, word), self.ambient.algebra
         data = {"kind": name, **shown}
-        return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, refusal=refusal)
+        return CertifiedClaim(algebra, f"{name}{{{about}}}", data, method, verdict, refusal=refusal)
 
-    def class_set(self, classes: Classes) -> Claim:
+    def class_set(self, classes: Classes) -> CertifiedClaim:
         order, base = classes.order, self.ambient.base
         lattices = map(classes.lattice, range(len(classes)))
         shown = {
@@ -363,7 +367,7 @@ class _Rational:
             "classes": [_basis(I, base.inside(I.norm)) for I in lattices],
         }
         statement = f"class-set{{{text(order)}; {len(classes)}}}"
-        return Claim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
+        return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
@@ -437,7 +441,7 @@ class _OverField:
         verdict: str = "proved",
         refusal: str | None = None,
         **shown: object,
-    ) -> Claim:
+    ) -> CertifiedClaim:
         name, algebra = self.names.get(word, word), self.ambient.algebra
         cited: tuple[str, ...] = ()
         if "units" in shown:
@@ -445,9 +449,11 @@ class _OverField:
         else:
             shown["basis"] = self._integral_basis
         data = {"kind": name, **shown}
-        return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal)
+        return CertifiedClaim(
+            algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal
+        )
 
-    def class_set(self, classes: Classes) -> Claim:
+    def class_set(self, classes: Classes) -> CertifiedClaim:
         order, ring, read = classes.order, self.integers.ring, self.integers.ideal
         shown = {
             "kind": "ideal-classes",
@@ -458,7 +464,7 @@ class _OverField:
         }
         cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
         statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
-        return Claim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+        return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=cited)
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
@@ -518,13 +524,15 @@ class _OverPolynomials:
         verdict: str = "proved",
         refusal: str | None = None,
         **shown: object,
-    ) -> Claim:
+    ) -> CertifiedClaim:
         name = self.names[word]
         data = {"kind": name, **shown}
         statement = f"{name}{{{about}}}"
-        return Claim(self.ambient.algebra, statement, data, method, verdict, refusal=refusal)
+        return CertifiedClaim(
+            self.ambient.algebra, statement, data, method, verdict, refusal=refusal
+        )
 
-    def class_set(self, classes: Classes) -> Claim:
+    def class_set(self, classes: Classes) -> CertifiedClaim:
         order, kind = classes.order, self.names["class-set"]
         lattices = map(classes.lattice, range(len(classes)))
         shown = {
@@ -534,7 +542,7 @@ class _OverPolynomials:
         }
         statement = f"{kind}{{{text(order)}; {len(classes)}}}"
         cited = (MASS_OVER_POLYNOMIALS,)
-        return Claim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+        return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=cited)
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue

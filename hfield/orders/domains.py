@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Protocol, TypeAlias, cast, overload
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.core.factorisation import remove
-from hfield.fields.function_fields.quotients import Quotient
+from hfield.fields.function_fields.quotients import RationalFunction
 from hfield.orders import enumeration
 from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.polynomial_matrices import FractionMatrix, PolynomialMatrix, fractions
@@ -349,16 +349,16 @@ class PolynomialDomain:
             return fractions(self, [entries[k : k + n] for k in range(0, len(entries), n)])
         return fractions(self, given)
 
-    def fraction(self, x: Rational | Integer, den: Integer | None = None) -> Quotient:
+    def fraction(self, x: Rational | Integer, den: Integer | None = None) -> RationalFunction:
         """Return x/den as an element of the field."""
         num = self.as_fraction(x)
         return num if den is None else num / self.as_fraction(den)
 
-    def as_fraction(self, x: Rational | Integer) -> Quotient:
+    def as_fraction(self, x: Rational | Integer) -> RationalFunction:
         """Return a number, a polynomial or an element of the field as one of the field."""
         if isinstance(x, int):
             return self.field(x)
-        if isinstance(x, Quotient):
+        if isinstance(x, RationalFunction):
             return x
         return self.field.quotient(x, self.one)
 
@@ -398,7 +398,7 @@ class PolynomialDomain:
         return self.content([x, *numbers])
 
     def quadratic(
-        self, traces: list[PolynomialMatrix], norms: list[Quotient]
+        self, traces: list[PolynomialMatrix], norms: list[RationalFunction]
     ) -> list[PolynomialMatrix]:
         """Return a matrix with the norms on the diagonal, and traces above it; constants are integral."""
         (table,), size = traces, len(norms)
@@ -430,11 +430,11 @@ class PolynomialDomain:
         """Return a form that is anisotropic at infinity on a reduced basis, and the basis."""
         return self.vectors.reduced(form)
 
-    def denominator(self, x: Quotient) -> fq_default_poly:
+    def denominator(self, x: RationalFunction) -> fq_default_poly:
         """Return the denominator."""
         return x.den
 
-    def numerator(self, x: Quotient) -> fq_default_poly:
+    def numerator(self, x: RationalFunction) -> fq_default_poly:
         """Return the numerator."""
         return x.num
 

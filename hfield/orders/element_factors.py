@@ -75,7 +75,7 @@ def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, 
             f"{base.ideal_text(product)} of the given primes: expected the primes of the norm, each as often "
             "as it occurs"
         )
-    return _Search(order, given).run(element)
+    return _FactorSearch(order, given).run(element)
 
 
 def _read_prime(order: LatticeValue, p: object) -> GivenPrime:
@@ -89,7 +89,7 @@ def _read_prime(order: LatticeValue, p: object) -> GivenPrime:
     return GivenPrime(prime, base.prime_ideal(prime), number)
 
 
-class _Search:
+class _FactorSearch:
     """The factors from the last to the first; where several ideals contain an element, all are tried."""
 
     def __init__(self, order: LatticeValue, primes: Sequence[GivenPrime]) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from hfield.evidence import Certified, Claim
+from hfield.evidence import Certified, CertifiedClaim
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -25,13 +25,13 @@ class EquivalenceResult(Certified):
     reason: str
     element: Quaternion | None = None
     theorem: str | None = None
-    make_claim: Callable[[EquivalenceResult], Claim] | None = field(
+    make_claim: Callable[[EquivalenceResult], CertifiedClaim] | None = field(
         default=None, compare=False, repr=False
     )
     """Makes the statement and its evidence of this answer."""
 
     @cached_property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """The answer as a statement with its evidence."""
         assert self.make_claim is not None, "whoever compares ideals or orders gives the statement"
         return self.make_claim(self)

@@ -18,7 +18,7 @@ from hfield.fields.names import ring
 from hfield.notation import BASIS
 from hfield.orders.lattice import Ideal, Lattice, Order
 from hfield.syntax.other_systems import RATIONALS, SIDES, pari_scale
-from hfield.syntax.parts import Part
+from hfield.syntax.parts import SourceSpan
 from hfield.syntax.products import MAX_DEPTH
 
 if TYPE_CHECKING:
@@ -63,22 +63,22 @@ def read(algebra: QuaternionAlgebra, text: object) -> Value:
     """
     if not isinstance(text, str):
         raise NotationError(f"expected a text to read, found {shorten(repr(text))}")
-    return _Reader(algebra).read(Part.of(text))
+    return _ForeignTextReader(algebra).read(SourceSpan.of(text))
 
 
-class _Reader:
+class _ForeignTextReader:
     def __init__(self, algebra: QuaternionAlgebra) -> None:
         self.algebra = algebra
         self.base_is_extended = hasattr(algebra.ring, "polynomial")
         self.fields: set[str] = set()
-        self.definitions: dict[str, Part] = {}
+        self.definitions: dict[str, SourceSpan] = {}
         self.names: dict[str, Quaternion] = {}
         if self.base_is_extended:
             self.names["s"] = algebra(algebra.ring.gen)  # as text_for names it for Sage
         self._orders: dict[str, Order] = {}
         self._depth = 0
 
-    def read(self, whole: Part) -> Value:
+    def read(self, whole: SourceSpan) -> Value:
         if not whole.text:
             whole.fail("an empty text: expected an element, a lattice, an order or an ideal")
         *statements, body = [part for part in whole.split(";") if part.text] or [whole]
@@ -89,7 +89,7 @@ class _Reader:
 
     # --- definitions -------------------------------------------------------------------------------
 
-    def _define(self, statement: Part) -> None:
+    def _define(self, statement: SourceSpan) -> None:
         """Read a statement, ``K.<s> = NumberField(x^2 - 2)`` or ``B = QuaternionAlgebra(K, -1, -1)``."""
         found = statement.match(_DEFINITION)
         if found is None:
@@ -97,7 +97,7 @@ class _Reader:
         letters = found["letters"].split(",") if "letters" in found else []
         self._name(found["name"], found["value"], letters)
 
-    def _without_definitions(self, body: Part) -> Part:
+    def _without_definitions(self, body: SourceSpan) -> SourceSpan:
         """Read Magma's ``… where A is … where K is …``, and return what stands before."""
         places = list(_WHERE.finditer(body.text))
         if not places:
@@ -108,7 +108,7 @@ class _Reader:
             self._name(body[place.start(1) : place.end(1)], value, [])
         return body[: places[0].start()].strip()
 
-    def _name(self, name: Part, value: Part, letters: Sequence[Part]) -> None:
+    def _name(self, name: SourceSpan, value: SourceSpan, letters: Sequence[SourceSpan]) -> None:
         """Keep a definition; of a field or an algebra check that it is that of the algebra here."""
         field = value.match(_FIELD)
         if field is not None:
@@ -126,13 +126,13 @@ class _Reader:
                 letters[0].fail(f"expected three different names here, found {', '.join(named)}")
             self.names.update(zip(named, self.algebra.basis[1:], strict=False))
 
-    def _polynomial(self, field: dict[str, Part]) -> str:
+    def _polynomial(self, field: dict[str, SourceSpan]) -> str:
         """Return the polynomial of a number field in s."""
         if "c" in field:
             return "+".join(f"({x.text})*s^{n}" for n, x in enumerate(field["c"].split(",")))
         return re.sub(r"(?<!\w)[a-zA-Z]\w*(?!\w)", "s", field["f"].text)
 
-    def _check_field(self, part: Part, polynomial: str) -> None:
+    def _check_field(self, part: SourceSpan, polynomial: str) -> None:
         """Raise :class:`MixedParentsError` unless the field of the algebra is that of a polynomial in s."""
         try:
             theirs = ring(f"QQ[s]/({polynomial})")
@@ -142,21 +142,21 @@ class _Reader:
         if own is None or own != getattr(theirs, "polynomial", None):
             self._foreign(part, f"the field {theirs.name}")
 
-    def _call_generator(self, letter: Part) -> None:
+    def _call_generator(self, letter: SourceSpan) -> None:
         if letter.text in BASIS:
             letter.fail(f"{letter} is an element of the algebra here: name the generator otherwise")
         self.names[letter.text] = self.algebra(self.algebra.ring.gen)
 
-    def _foreign(self, part: Part, what: str) -> NoReturn:
+    def _foreign(self, part: SourceSpan, what: str) -> NoReturn:
         raise MixedParentsError(
             f"this text is about {what}, and not about {shorten(self.algebra)}: read it in the algebra that "
             f"it names (at character {part.start + 1} of {shorten(part.source)!r})"
         )
 
-    def _check_algebra(self, part: Part) -> None:
+    def _check_algebra(self, part: SourceSpan) -> None:
         """Raise :class:`MixedParentsError` where a text names another algebra than this one."""
         value = self.definitions.get(part.text, part)
-        found, constants = value.call("<"), list[Part]()
+        found, constants = value.call("<"), list[SourceSpan]()
         if found is not None and found[0].text == "QuaternionAlgebra":
             field, *rest = found[1].split("|")
             constants = rest[0].split(",") if len(rest) == 1 else []
@@ -177,7 +177,9 @@ class _Reader:
             )
         self._check_constants(part, field, constants)
 
-    def _check_constants(self, part: Part, field: Part, constants: Sequence[Part]) -> None:
+    def _check_constants(
+        self, part: SourceSpan, field: SourceSpan, constants: Sequence[SourceSpan]
+    ) -> None:
         A = self.algebra
         name = field.text.replace("FiniteField", "GF")
         if name in RATIONALS or (not name and not self.fields):
@@ -196,7 +198,7 @@ class _Reader:
 
     # --- values ------------------------------------------------------------------------------------
 
-    def value(self, part: Part) -> Value:
+    def value(self, part: SourceSpan) -> Value:
         """Read a value of any kind."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
@@ -205,7 +207,7 @@ class _Reader:
         self._depth -= 1
         return found
 
-    def _value(self, part: Part) -> Value:
+    def _value(self, part: SourceSpan) -> Value:
         defined = self.definitions.pop(part.text, None)  # not by itself
         if defined is not None:
             value = self.value(defined)
@@ -224,7 +226,7 @@ class _Reader:
                 return found
         return self._element(part)
 
-    def _printed_by_sage(self, part: Part) -> Order | Ideal | None:
+    def _printed_by_sage(self, part: SourceSpan) -> Order | Ideal | None:
         found = part.match(_SAGE_ORDER)
         if found is not None:
             field = found["constants"][:0]
@@ -240,7 +242,7 @@ class _Reader:
         lattice = self._lattice(part, map(self._element, found["basis"].split(",")))
         return Ideal.of(lattice, "left")
 
-    def _pari_column(self, part: Part) -> Quaternion | None:
+    def _pari_column(self, part: SourceSpan) -> Quaternion | None:
         inside = part[:-1].strip().inside() if part.text.endswith("~") else None
         if inside is None:
             return None
@@ -259,7 +261,7 @@ class _Reader:
         found: Quaternion = u + j * v
         return found
 
-    def _matrix(self, part: Part) -> Lattice | None:
+    def _matrix(self, part: SourceSpan) -> Lattice | None:
         """Read rows of coordinates on lines, in brackets or not, and PARI's matrices."""
         inside, text = part.inside(), part.text
         if inside is not None and len(rows := inside.split(";")) > 1:
@@ -272,7 +274,7 @@ class _Reader:
             return None
         return self._lattice(part, (self._coordinates(line, _entries(line)) for line in lines))
 
-    def _list(self, part: Part) -> Value | None:
+    def _list(self, part: SourceSpan) -> Value | None:
         """Read a list: four coordinates, elements that span a lattice, or lattices."""
         inside = part.inside() or part.inside("(")
         if inside is None:
@@ -292,7 +294,7 @@ class _Reader:
             return self._coordinates(part, parts)
         return self._lattice(part, elements)
 
-    def _of_magma(self, part: Part) -> Value | None:
+    def _of_magma(self, part: SourceSpan) -> Value | None:
         found = part.match(_COERCED)
         if found is not None:
             self._check_algebra(found["algebra"])
@@ -310,7 +312,7 @@ class _Reader:
         }
         return self._made(part, lambda: make[side](elements))
 
-    def _call(self, part: Part) -> Value | None:
+    def _call(self, part: SourceSpan) -> Value | None:
         found = part.call()
         if found is None:
             return None
@@ -342,7 +344,9 @@ class _Reader:
             return self._expect_element(inside)
         return None
 
-    def _fractional_ideal(self, part: Part, arguments: Sequence[Part]) -> Ideal | Lattice:
+    def _fractional_ideal(
+        self, part: SourceSpan, arguments: Sequence[SourceSpan]
+    ) -> Ideal | Lattice:
         lattice = self._lattice(part, self._elements(arguments[0]))
         orders = {}
         for argument in arguments[1:]:
@@ -359,10 +363,10 @@ class _Reader:
 
     # --- orders, lattices and elements -------------------------------------------------------------
 
-    def _kept_order(self, part: Part) -> Order | None:
+    def _kept_order(self, part: SourceSpan) -> Order | None:
         return self._orders.get(part.text)
 
-    def _order(self, part: Part) -> Order:
+    def _order(self, part: SourceSpan) -> Order:
         """Read an order, once where it comes several times."""
         kept = self._kept_order(part)
         if kept is None:
@@ -372,43 +376,43 @@ class _Reader:
             kept = self._orders[part.text] = found
         return kept
 
-    def _order_of(self, part: Part, basis: Sequence[Part]) -> Order:
+    def _order_of(self, part: SourceSpan, basis: Sequence[SourceSpan]) -> Order:
         elements = [self._expect_element(x) for x in basis]
         return self._made(part, lambda: Order.from_basis(self.algebra, elements))
 
-    def _lattice(self, part: Part, elements: Iterable[Quaternion]) -> Lattice:
+    def _lattice(self, part: SourceSpan, elements: Iterable[Quaternion]) -> Lattice:
         spanning = list(elements)
         return self._made(part, lambda: Lattice.spanned(self.algebra, spanning))
 
-    def _made(self, part: Part, make: Callable[[], T]) -> T:
+    def _made(self, part: SourceSpan, make: Callable[[], T]) -> T:
         """Return what is made of elements that were read; its errors name the part."""
         try:
             return make()
         except LatticeError as error:
             part.fail(str(error))
 
-    def _listed(self, part: Part) -> list[Part]:
+    def _listed(self, part: SourceSpan) -> list[SourceSpan]:
         inside = part.inside()
         if inside is None:
             part.fail(f"expected a list of elements in brackets, found {part}")
         return inside.split(",")
 
-    def _elements(self, part: Part) -> list[Quaternion]:
+    def _elements(self, part: SourceSpan) -> list[Quaternion]:
         return [self._expect_element(x) for x in self._listed(part)]
 
-    def _expect_element(self, part: Part) -> Quaternion:
+    def _expect_element(self, part: SourceSpan) -> Quaternion:
         found = self.value(part)
         if not isinstance(found, Quaternion):
             part.fail(f"expected an element here, found {part}")
         return found
 
-    def _coordinates(self, part: Part, entries: Sequence[Part]) -> Quaternion:
+    def _coordinates(self, part: SourceSpan, entries: Sequence[SourceSpan]) -> Quaternion:
         if len(entries) != 4:
             part.fail(f"expected four coordinates here, found {len(entries)}")
         found: Quaternion = self.algebra(*map(self._scalar, entries))
         return found
 
-    def _scalar(self, part: Part) -> BaseNumber:
+    def _scalar(self, part: SourceSpan) -> BaseNumber:
         if _RATIONAL.fullmatch(part.text) and self.algebra.ring.characteristic == 0:
             number: BaseNumber = self.algebra.ring(Fraction(part.text))
             return number  # faster than as an expression
@@ -418,7 +422,7 @@ class _Reader:
         found: BaseNumber = q.scalar_part
         return found
 
-    def _element(self, part: Part, names: dict[str, Quaternion] | None = None) -> Quaternion:
+    def _element(self, part: SourceSpan, names: dict[str, Quaternion] | None = None) -> Quaternion:
         """Read an expression in i, j, k and the generator of the field."""
         known = self.names | (names or {})
         for found in _MAGMA_NAME.finditer(part.text):
@@ -447,7 +451,7 @@ class _Reader:
             )
         return x
 
-    def _generator(self, prefix: str, number: int, part: Part) -> Quaternion:
+    def _generator(self, prefix: str, number: int, part: SourceSpan) -> Quaternion:
         """Return K.1, the generator of the field, or A.1, A.2, A.3 in Magma's names."""
         if self.base_is_extended and prefix in self.fields | {"K"} and number == 1:
             q: Quaternion = self.algebra(self.algebra.ring.gen)
@@ -458,7 +462,7 @@ class _Reader:
         return self.algebra.basis[number]
 
 
-def _entries(line: Part) -> list[Part]:
+def _entries(line: SourceSpan) -> list[SourceSpan]:
     """Part a line at commas, or where there are none at blanks."""
     if "," in line.text:
         return line.split(",")

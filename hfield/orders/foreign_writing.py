@@ -8,7 +8,7 @@ from hfield.core.product import Coordinates
 from hfield.errors import LatticeError, RingError
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import free_basis, pseudo_basis
-from hfield.syntax.other_systems import Writer
+from hfield.syntax.other_systems import OtherSystemWriter
 
 Basis = list[Coordinates]
 
@@ -40,9 +40,9 @@ def ideals_text(ideals: Sequence[LatticeValue], order: LatticeValue, side: str, 
     return writer.ideals(_basis(order, writer), [_basis(I, writer) for I in ideals], side)
 
 
-def _writer(lattice: LatticeValue, system: str) -> Writer:
+def _writer(lattice: LatticeValue, system: str) -> OtherSystemWriter:
     """Return what writes. Raises :class:`RingError` for Sage over ℚ where constants are no integers."""
-    writer = Writer(lattice.algebra.ring, lattice.algebra.constants, system)
+    writer = OtherSystemWriter(lattice.algebra.ring, lattice.algebra.constants, system)
     base = lattice.ambient.base
     integral = all(base.is_integral(base.principal(x)) for x in lattice.ambient.constants if x)
     if writer.system == "sage" and base.is_rational and not integral:
@@ -53,7 +53,7 @@ def _writer(lattice: LatticeValue, system: str) -> Writer:
     return writer
 
 
-def _basis(lattice: LatticeValue, writer: Writer) -> Basis:
+def _basis(lattice: LatticeValue, writer: OtherSystemWriter) -> Basis:
     """Return a basis over ℤ as coordinates; for Sage four elements over the integers of the field.
 
     Raises :class:`RingError` for Sage where there is none.
@@ -67,7 +67,7 @@ def _basis(lattice: LatticeValue, writer: Writer) -> Basis:
     return [q.coordinates for q in basis]
 
 
-def _expect_rational(lattice: LatticeValue, writer: Writer, what: str) -> None:
+def _expect_rational(lattice: LatticeValue, writer: OtherSystemWriter, what: str) -> None:
     """Raise :class:`RingError` for Sage over other fields than ℚ."""
     if writer.system == "sage" and not lattice.ambient.base.is_rational:
         raise RingError(

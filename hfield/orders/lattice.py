@@ -25,7 +25,7 @@ from hfield.errors import (
     NotFiniteError,
     shorten,
 )
-from hfield.evidence import Certified, Claim
+from hfield.evidence import Certified, CertifiedClaim
 from hfield.fields.rationals.whole_numbers import fraction
 from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.search import split_order
@@ -85,7 +85,7 @@ from hfield.sympy_printing import PrintedBySympy
 from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.orders.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
     from hfield.orders.rational_newforms import RationalNewform
@@ -142,7 +142,7 @@ class Lattice(Hinted, PrintedBySympy):
     # --- what it is ------------------------------------------------------------------------------
 
     @property
-    def hnf(self) -> tuple[int | Quotient, tuple[tuple[int | Quotient, ...], ...]]:
+    def hnf(self) -> tuple[int | RationalFunction, tuple[tuple[int | RationalFunction, ...], ...]]:
         """The least denominator, and the rows of the Hermite normal form, integers.
 
         Over ℚ they are coordinates over 1, i, j, k; over K coordinates in the integral basis times
@@ -479,7 +479,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return Order(found.value) if isinstance(other, Order) else found
 
     @cached_property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """That this is an order of its discriminant, as a statement with its evidence."""
         return certificates.of_order(self.value)
 
@@ -929,7 +929,7 @@ class Order(WithStableClasses, Certified, Lattice):
             def of_orbits() -> tuple[Quaternion, ...]:
                 return cm_points.of_orbits(group, discriminant)
 
-            def claim() -> Claim:
+            def claim() -> CertifiedClaim:
                 return cm_points.claim_of_orbits(group, discriminant)
 
             return Embeddings(
@@ -1222,7 +1222,7 @@ class Ideal(Certified, Lattice):
         return other
 
     @cached_property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """What there is to certify, as a statement with its evidence."""
         return certificates.of_ideal(self.value, self.side, self.order.value)
 
@@ -1731,7 +1731,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     # --- evidence ------------------------------------------------------------------------------------
 
     @cached_property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """How many classes there are, as a statement with its evidence."""
         return certificates.of_class_set(self._classes)
 

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, NoReturn, TypeGuard
 from hfield.core.product import Constants
 from hfield.errors import HFieldError, LatticeError, shorten
 from hfield.fields.function_fields.ideals import (
-    PolynomialIdeal,
-    PrimePolynomial,
+    FunctionFieldIdeal,
+    PolynomialResidueField,
     polynomial_integers,
     prime_ideal,
     residue_field,
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from flint import fq_default_poly
 
     from hfield.algebra.quaternion import Parent
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.orders.base import Counts, QuaternionBasis
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
@@ -45,10 +45,10 @@ class PolynomialNarrowClass:
     order = 1
     group = TrivialClassGroup()
 
-    def __init__(self, one: PolynomialIdeal) -> None:
+    def __init__(self, one: FunctionFieldIdeal) -> None:
         self.ideals = (one,)
 
-    def split(self, ideal: PolynomialIdeal) -> tuple[int, Quotient]:
+    def split(self, ideal: FunctionFieldIdeal) -> tuple[int, RationalFunction]:
         """Return 0, and the generator."""
         return 0, ideal.x
 
@@ -61,7 +61,7 @@ class PolynomialBase:
     is_polynomial = True
     is_totally_real = False
     real_places: tuple[int, ...] = ()
-    class_generators: tuple[PolynomialIdeal, ...] = ()
+    class_generators: tuple[FunctionFieldIdeal, ...] = ()
 
     def __init__(self, ring: FunctionField) -> None:
         self.ring, self.integers = ring, polynomial_integers(ring)
@@ -75,40 +75,40 @@ class PolynomialBase:
 
     # --- elements ------------------------------------------------------------------------------------
 
-    def inside(self, x: object) -> Quotient:
+    def inside(self, x: object) -> RationalFunction:
         return self.integers.inside(x)
 
-    def outside(self, x: Quotient) -> Quotient:
+    def outside(self, x: RationalFunction) -> RationalFunction:
         return self.integers.outside(x)
 
-    def coordinate_rows(self, elements: Sequence[Quotient]) -> FractionMatrix:
+    def coordinate_rows(self, elements: Sequence[RationalFunction]) -> FractionMatrix:
         return self.domain.fraction_matrix([[x] for x in elements])
 
-    def element_of(self, row: Sequence[Quotient]) -> Quotient:
+    def element_of(self, row: Sequence[RationalFunction]) -> RationalFunction:
         return row[0]
 
-    def as_rational(self, x: Quotient) -> Quotient:
+    def as_rational(self, x: RationalFunction) -> RationalFunction:
         return x
 
-    def trace(self, x: Quotient) -> Quotient:
+    def trace(self, x: RationalFunction) -> RationalFunction:
         return self.domain.as_fraction(x)
 
     def number_data(self, x: Integer) -> str:
         return self.ring.text(self.shown_number(x))
 
-    def shown_number(self, x: Integer) -> Quotient:
+    def shown_number(self, x: Integer) -> RationalFunction:
         return self.outside(self.domain.as_fraction(x))
 
-    def square_root(self, x: Quotient) -> Quotient | None:
+    def square_root(self, x: RationalFunction) -> RationalFunction | None:
         found = self.field.sqrt(x)
         return None if found is None else self.outside(found)
 
-    def is_totally_positive(self, x: Quotient) -> bool:
+    def is_totally_positive(self, x: RationalFunction) -> bool:
         return True
 
     # --- algebras ------------------------------------------------------------------------------------
 
-    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[Quotient]:
+    def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[RationalFunction]:
         from hfield.orders.base import QuaternionBasis, degenerate
 
         constants = Constants(*map(self.inside, algebra.constants))
@@ -121,11 +121,11 @@ class PolynomialBase:
             for some in ((a, t), (b,))
         )
 
-        def into(coordinates: Sequence[Quotient]) -> Quadruple[Quotient]:
+        def into(coordinates: Sequence[RationalFunction]) -> Quadruple[RationalFunction]:
             w, x, y, z = coordinates
             return w, x / r, y / s, z / (r * s)
 
-        def back(coordinates: Sequence[Quotient]) -> Quadruple[Quotient]:
+        def back(coordinates: Sequence[RationalFunction]) -> Quadruple[RationalFunction]:
             w, x, y, z = coordinates
             return w, x * r, y * s, z * (r * s)
 
@@ -135,30 +135,30 @@ class PolynomialBase:
         form = normal_form(self.field, constants)
         return symbol(self.field, form, FunctionPlace(self.field)) < 0
 
-    def ramified_primes(self, constants: Constants) -> tuple[PolynomialIdeal, ...]:
+    def ramified_primes(self, constants: Constants) -> tuple[FunctionFieldIdeal, ...]:
         found = ramified_places_functions(self.field, normal_form(self.field, constants))
         return tuple(self._prime(v.poly) for v in found if v.poly is not None)
 
     # --- ideals and primes ---------------------------------------------------------------------------
 
-    def _prime(self, polynomial: fq_default_poly) -> PolynomialIdeal:
+    def _prime(self, polynomial: fq_default_poly) -> FunctionFieldIdeal:
         return self.principal(self.domain.as_fraction(polynomial))
 
-    def principal(self, x: Quotient | fq_default_poly) -> PolynomialIdeal:
+    def principal(self, x: RationalFunction | fq_default_poly) -> FunctionFieldIdeal:
         return self.integers.principal(self.domain.as_fraction(x))
 
-    def ideal(self, x: object) -> PolynomialIdeal:
+    def ideal(self, x: object) -> FunctionFieldIdeal:
         return self.integers.ideal(x)
 
-    def is_ideal(self, x: object) -> TypeGuard[PolynomialIdeal]:
-        return isinstance(x, PolynomialIdeal | FunctionPlace)
+    def is_ideal(self, x: object) -> TypeGuard[FunctionFieldIdeal]:
+        return isinstance(x, FunctionFieldIdeal | FunctionPlace)
 
     def norm_bound(self, lattice: LatticeValue, n: object) -> int:
         scale = self.domain.integer(lattice.ambient.scale * lattice.den**2)
         shift: int = scale.degree() - lattice.content.degree()
         return natural(n, "norms are listed up to a degree,") + shift
 
-    def integral_ideal(self, x: object, what: str = "norm") -> PolynomialIdeal:
+    def integral_ideal(self, x: object, what: str = "norm") -> FunctionFieldIdeal:
         try:
             found = self.ideal(x)
         except HFieldError as error:
@@ -170,39 +170,39 @@ class PolynomialBase:
             raise LatticeError(f"expected an ideal of {self.symbol} as the {what}, not {found}")
         return found
 
-    def ideal_text(self, ideal: PolynomialIdeal) -> str:
+    def ideal_text(self, ideal: FunctionFieldIdeal) -> str:
         return str(ideal)
 
-    def ideal_spanned(self, entries: Sequence[Integer], den: Integer) -> PolynomialIdeal:
+    def ideal_spanned(self, entries: Sequence[Integer], den: Integer) -> FunctionFieldIdeal:
         domain = self.domain
         return self.principal(domain.fraction(domain.content(entries), den))
 
-    def ideal_rows(self, ideal: PolynomialIdeal) -> tuple[Integer, list[list[Integer]]]:
+    def ideal_rows(self, ideal: FunctionFieldIdeal) -> tuple[Integer, list[list[Integer]]]:
         return ideal.x.den, [[ideal.x.num]]
 
-    def inverse(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+    def inverse(self, ideal: FunctionFieldIdeal) -> FunctionFieldIdeal:
         return ideal.inverse()
 
-    def is_integral(self, ideal: PolynomialIdeal) -> bool:
+    def is_integral(self, ideal: FunctionFieldIdeal) -> bool:
         return ideal.is_integral()
 
-    def are_coprime(self, first: PolynomialIdeal, second: PolynomialIdeal) -> bool:
+    def are_coprime(self, first: FunctionFieldIdeal, second: FunctionFieldIdeal) -> bool:
         return bool(first + second == self.one)
 
     @property
     def number_of_units(self) -> int:
         return self.order - 1
 
-    def absolute_norm(self, ideal: PolynomialIdeal) -> int:
+    def absolute_norm(self, ideal: FunctionFieldIdeal) -> int:
         return int(ideal.norm())
 
-    def valuation(self, ideal: PolynomialIdeal, prime: PolynomialIdeal) -> int:
+    def valuation(self, ideal: FunctionFieldIdeal, prime: FunctionFieldIdeal) -> int:
         return ideal.valuation(prime)
 
-    def factorisation(self, ideal: PolynomialIdeal) -> list[tuple[PolynomialIdeal, int]]:
+    def factorisation(self, ideal: FunctionFieldIdeal) -> list[tuple[FunctionFieldIdeal, int]]:
         return list(ideal.factorisation())
 
-    def prime(self, x: object) -> PolynomialIdeal:
+    def prime(self, x: object) -> FunctionFieldIdeal:
         try:
             return prime_ideal(self.integers, x)
         except HFieldError:
@@ -211,23 +211,25 @@ class PolynomialBase:
                 f"{self.ring.gen_name}"
             ) from None
 
-    def prime_ideal(self, prime: PolynomialIdeal) -> PolynomialIdeal:
+    def prime_ideal(self, prime: FunctionFieldIdeal) -> FunctionFieldIdeal:
         return prime
 
-    def primes_by_norm(self) -> Iterator[PolynomialIdeal]:
+    def primes_by_norm(self) -> Iterator[FunctionFieldIdeal]:
         from hfield.fields.function_fields.places import all_places
 
         return (self._prime(v.poly) for v in all_places(self.field) if v.poly is not None)
 
-    def primes_above(self, p: Integer) -> list[tuple[Prime, PolynomialIdeal]]:
+    def primes_above(self, p: Integer) -> list[tuple[Prime, FunctionFieldIdeal]]:
         prime = self.prime(self.outside(self.domain.as_fraction(p)))
         return [(prime, prime)]
 
-    def generators(self, ideal: PolynomialIdeal, places: tuple[int, ...]) -> list[Quotient]:
+    def generators(
+        self, ideal: FunctionFieldIdeal, places: tuple[int, ...]
+    ) -> list[RationalFunction]:
         return [ideal.x * u for u in self.positive_units]
 
     @property
-    def positive_units(self) -> tuple[Quotient, ...]:
+    def positive_units(self) -> tuple[RationalFunction, ...]:
         k = self.field.base
         one = self.field.one
         if k.characteristic == 2:
@@ -237,45 +239,49 @@ class PolynomialBase:
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> TrivialClassGroup:
         return TrivialClassGroup()
 
-    def principal_multiple(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+    def principal_multiple(self, ideal: FunctionFieldIdeal) -> FunctionFieldIdeal:
         return ideal
 
-    def short_elements(self, ideal: PolynomialIdeal, count: int) -> list[Quotient]:
+    def short_elements(self, ideal: FunctionFieldIdeal, count: int) -> list[RationalFunction]:
         return [ideal.x]
 
-    def ideal_classes(self, most: int) -> list[PolynomialIdeal]:
+    def ideal_classes(self, most: int) -> list[FunctionFieldIdeal]:
         return [self.one]
 
     # --- residues ------------------------------------------------------------------------------------
 
-    def place(self, prime: PolynomialIdeal) -> PrimePolynomial:
+    def place(self, prime: FunctionFieldIdeal) -> PolynomialResidueField:
         return residue_field(prime)
 
-    def residues(self, prime: PolynomialIdeal) -> list[Quotient]:
+    def residues(self, prime: FunctionFieldIdeal) -> list[RationalFunction]:
         domain = self.domain
         return [domain.as_fraction(x) for x in domain.of_degree_below(prime.degree)]
 
-    def digits(self, prime: PolynomialIdeal, residue: fq_default_poly) -> list[fq_default_poly]:
+    def digits(self, prime: FunctionFieldIdeal, residue: fq_default_poly) -> list[fq_default_poly]:
         return [residue]
 
-    def residue(self, prime: PolynomialIdeal, digits: Sequence[Integer]) -> fq_default_poly:
+    def residue(self, prime: FunctionFieldIdeal, digits: Sequence[Integer]) -> fq_default_poly:
         return self.domain.integer(digits[0])
 
-    def lift(self, prime: PolynomialIdeal, residue: fq_default_poly) -> Quotient:
+    def lift(self, prime: FunctionFieldIdeal, residue: fq_default_poly) -> RationalFunction:
         return self.domain.as_fraction(residue)
 
-    def integer_near(self, x: Quotient, modulus: fq_default_poly) -> Quotient:
+    def integer_near(self, x: RationalFunction, modulus: fq_default_poly) -> RationalFunction:
         inverse = self.domain.inverse_modulo(x.den % modulus, modulus)
         return self.domain.as_fraction(x.num * inverse % modulus)
 
-    def quadratic_symbol(self, trace: Quotient, norm: Quotient, prime: PolynomialIdeal) -> int:
+    def quadratic_symbol(
+        self, trace: RationalFunction, norm: RationalFunction, prime: FunctionFieldIdeal
+    ) -> int:
         place = self.place(prime)
         t, n = (place.reduce(self.domain.as_fraction(x)) for x in (trace, norm))
         if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
             return 0
         return -1 if place.quadratic_root(place.one, place.zero - t, n) is None else 1
 
-    def square_classes(self, prime: PolynomialIdeal) -> tuple[int, Callable[[Quotient], int]]:
+    def square_classes(
+        self, prime: FunctionFieldIdeal
+    ) -> tuple[int, Callable[[RationalFunction], int]]:
         raise LatticeError(f"stable classes over {self.symbol} are those of Eichler orders, one")
 
     # --- masses --------------------------------------------------------------------------------------
@@ -296,24 +302,24 @@ class PolynomialBase:
             f"{what} over ℤ and the integers of number fields, not over {self.symbol}"
         )
 
-    def sign(self, x: Quotient, place: int) -> int:
+    def sign(self, x: RationalFunction, place: int) -> int:
         raise self._no_number_field("there are signs at real places")
 
-    def real(self, x: Quotient, place: int) -> float:
+    def real(self, x: RationalFunction, place: int) -> float:
         raise self._no_number_field("there are real embeddings")
 
-    def ball(self, x: Quotient, place: int) -> NoReturn:
+    def ball(self, x: RationalFunction, place: int) -> NoReturn:
         raise self._no_number_field("there are real embeddings")
 
-    def root_modulo_4(self, d: Quotient) -> NoReturn:
+    def root_modulo_4(self, d: RationalFunction) -> NoReturn:
         raise self._no_number_field("quadratic orders are given by discriminants")
 
     # --- what a user sees ----------------------------------------------------------------------------
 
-    def shown_norm(self, lattice: LatticeValue) -> PolynomialIdeal:
+    def shown_norm(self, lattice: LatticeValue) -> FunctionFieldIdeal:
         return self.ideal(lattice.norm)
 
-    def shown_index(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+    def shown_index(self, ideal: FunctionFieldIdeal) -> FunctionFieldIdeal:
         return ideal
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:

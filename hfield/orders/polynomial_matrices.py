@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, TypeAlias, overload
 
-from hfield.fields.function_fields.quotients import Quotient
+from hfield.fields.function_fields.quotients import RationalFunction
 
 if TYPE_CHECKING:
     from flint import fq_default_poly
@@ -69,18 +69,18 @@ class PolynomialMatrix:
         return self._like([-x for x in self._entries])
 
     @overload
-    def __mul__(self, other: FractionMatrix | Quotient) -> FractionMatrix: ...
+    def __mul__(self, other: FractionMatrix | RationalFunction) -> FractionMatrix: ...
 
     @overload
     def __mul__(self, other: PolynomialMatrix | fq_default_poly | int) -> PolynomialMatrix: ...
 
     def __mul__(
-        self, other: PolynomialMatrix | FractionMatrix | Quotient | fq_default_poly | int
+        self, other: PolynomialMatrix | FractionMatrix | RationalFunction | fq_default_poly | int
     ) -> PolynomialMatrix | FractionMatrix:
         """Return the product with a matrix, or with a number, which may be a fraction."""
         if isinstance(other, FractionMatrix):
             return FractionMatrix(self * other.numerators, other.denominator)
-        if isinstance(other, Quotient):
+        if isinstance(other, RationalFunction):
             return FractionMatrix(self * other.num, other.den)
         if not isinstance(other, PolynomialMatrix):
             return self._like([x * other for x in self._entries])
@@ -189,17 +189,17 @@ class FractionMatrix:
         """Return the number of columns."""
         return self.numerators.ncols()
 
-    def entries(self) -> list[Quotient]:
+    def entries(self) -> list[RationalFunction]:
         """Return all entries, row by row, as elements of the field."""
         num, den = self.numer_denom()
         return [self.domain.fraction(x, den) for x in num._entries]
 
-    def tolist(self) -> list[list[Quotient]]:
+    def tolist(self) -> list[list[RationalFunction]]:
         """Return the rows."""
         n, entries = self.ncols(), self.entries()
         return [entries[k * n : (k + 1) * n] for k in range(self.nrows())]
 
-    def __getitem__(self, place: tuple[int, int]) -> Quotient:
+    def __getitem__(self, place: tuple[int, int]) -> RationalFunction:
         return self.domain.fraction(self.numerators[place], self.denominator)
 
     def __eq__(self, other: object) -> bool:
@@ -218,13 +218,13 @@ class FractionMatrix:
         return FractionMatrix(-self.numerators, self.denominator)
 
     def __mul__(
-        self, other: PolynomialMatrix | FractionMatrix | Quotient | fq_default_poly | int
+        self, other: PolynomialMatrix | FractionMatrix | RationalFunction | fq_default_poly | int
     ) -> FractionMatrix:
         """Return the product with a matrix, or with a number."""
         if isinstance(other, FractionMatrix):
             den = self.denominator * other.denominator
             return FractionMatrix(self.numerators * other.numerators, den)
-        if isinstance(other, Quotient):
+        if isinstance(other, RationalFunction):
             return FractionMatrix(self.numerators * other.num, self.denominator * other.den)
         return FractionMatrix(self.numerators * other, self.denominator)
 

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
-from hfield.evidence import Certified, Claim
+from hfield.evidence import Certified, CertifiedClaim
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import FractionalIdeal as NumberFieldIdeal
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -74,7 +74,7 @@ class Embeddings(Certified, Verdict["Quaternion"]):
     """Returns one of each orbit."""
     prime: object = None
     """A prime at which there is no embedding, or None."""
-    of_orbits_claim: Callable[[], Claim] | None = None
+    of_orbits_claim: Callable[[], CertifiedClaim] | None = None
     """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
 
     def _key(self) -> tuple[object, ...]:
@@ -180,7 +180,7 @@ class Embeddings(Certified, Verdict["Quaternion"]):
         return self.order.right_ideal(images)
 
     @cached_property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """Whether there is an embedding, as a statement with its evidence.
 
         Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has none, and no prime is known
@@ -190,7 +190,7 @@ class Embeddings(Certified, Verdict["Quaternion"]):
             self.order.value, self.discriminant, self.element, self.prime
         )
 
-    def claim_of_orbits(self) -> Claim:
+    def claim_of_orbits(self) -> CertifiedClaim:
         """Return how many orbits there are, with all of them, as a statement with its evidence.
 
         It has a ``certificate`` for Eichler orders over ℤ and d < 0; without embeddings it is

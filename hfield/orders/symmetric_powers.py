@@ -22,7 +22,7 @@ Square = tuple[int, int, int, int]
 """A 2 × 2 matrix, row by row."""
 
 
-class Place(NamedTuple):
+class SplittingModP(NamedTuple):
     """An embedding of the field into 𝔽_p: the images of the integral basis, and of 1, I, J, IJ in M₂."""
 
     numbers: list[int]
@@ -51,7 +51,7 @@ def splits_completely(ambient: AlgebraBasis, p: int) -> bool:
     return bool(x.pow_mod(p, modulus) == x % modulus)
 
 
-def places(ambient: AlgebraBasis, p: int) -> list[Place]:
+def splittings(ambient: AlgebraBasis, p: int) -> list[SplittingModP]:
     """Return the embeddings of the field in 𝔽_p and the matrices of the algebra there."""
     rows = ambient.base.coordinate_rows(list(ambient.constants)).tolist()
     found = []
@@ -59,7 +59,7 @@ def places(ambient: AlgebraBasis, p: int) -> list[Place]:
         a, t, b = (
             sum(_modulo(c, p) * w for c, w in zip(row, numbers, strict=True)) % p for row in rows
         )
-        found.append(Place(numbers, _matrix_units(a, t, b, p)))
+        found.append(SplittingModP(numbers, _matrix_units(a, t, b, p)))
     return found
 
 
@@ -94,23 +94,23 @@ class SymmetricPower:
 
     def __init__(self, ambient: AlgebraBasis, weight: int, p: int) -> None:
         self.p, self._weight = p, weight
-        self._places = places(ambient, p)
+        self._splittings = splittings(ambient, p)
         self._degree = ambient.degree
         self.dimension = (weight - 1) ** self._degree
 
     def matrix(self, row: Sequence[fmpz]) -> nmod_mat:
         """Return the matrix by which an element, an integer row, acts on columns."""
         whole = [[1]]
-        for place in self._places:
-            whole = _kronecker(whole, self._at(place, row), self.p)
+        for splitting in self._splittings:
+            whole = _kronecker(whole, self._at(splitting, row), self.p)
         return nmod_mat(whole, self.p)
 
-    def _at(self, place: Place, row: Sequence[fmpz]) -> list[list[int]]:
+    def _at(self, splitting: SplittingModP, row: Sequence[fmpz]) -> list[list[int]]:
         p, n, s = self.p, self._degree, self._weight - 2
         a = b = c = d = 0
-        for k, (e, f, g, h) in enumerate(place.units):
+        for k, (e, f, g, h) in enumerate(splitting.units):
             part = row[k * n : (k + 1) * n]
-            x = sum(int(u) * w for u, w in zip(part, place.numbers, strict=True)) % p
+            x = sum(int(u) * w for u, w in zip(part, splitting.numbers, strict=True)) % p
             a, b, c, d = a + x * e, b + x * f, c + x * g, d + x * h
         # X ↦ a·X + c·Y, Y ↦ b·X + d·Y on the polynomials Xˢ, Xˢ⁻¹·Y, …
         first, second = (_powers(nmod_poly([u % p, v % p], p), s) for u, v in ((a, c), (b, d)))

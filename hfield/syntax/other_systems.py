@@ -71,7 +71,7 @@ SIDES = {"left": "lideal", "right": "rideal", "two-sided": "ideal"}
 """Magma's constructors of ideals."""
 
 
-class Writer:
+class OtherSystemWriter:
     """Write elements of an algebra, and lattices by their bases, as code of another system.
 
     Sage and Magma read expressions that name the algebra. PARI's elements are columns ``[u, v]~`` over the

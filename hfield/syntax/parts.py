@@ -12,10 +12,10 @@ CLOSING = {"(": ")", "[": "]", "{": "}", "<": ">"}
 
 
 @dataclass(frozen=True)
-class Part:
+class SourceSpan:
     """The letters of ``source`` from ``start`` to ``end``.
 
-    >>> part = Part.of(" f(x, y) ")
+    >>> part = SourceSpan.of(" f(x, y) ")
     >>> function, inside = part.call()
     >>> function.text, [(x.text, x.start) for x in inside.split(",")]
     ('f', [('x', 3), ('y', 6)])
@@ -26,7 +26,7 @@ class Part:
     end: int
 
     @classmethod
-    def of(cls, text: str) -> Part:
+    def of(cls, text: str) -> SourceSpan:
         """Return a whole text without blanks around it."""
         return cls(text, 0, len(text)).strip()
 
@@ -35,17 +35,17 @@ class Part:
         """The letters."""
         return self.source[self.start : self.end]
 
-    def __getitem__(self, part: slice) -> Part:
+    def __getitem__(self, part: slice) -> SourceSpan:
         start, end, _ = part.indices(self.end - self.start)
-        return Part(self.source, self.start + start, self.start + end)
+        return SourceSpan(self.source, self.start + start, self.start + end)
 
-    def strip(self) -> Part:
+    def strip(self) -> SourceSpan:
         """Return the part without blanks around it."""
         text = self.text
         start = len(text) - len(text.lstrip())
         return self[start : max(start, len(text.rstrip()))]
 
-    def match(self, pattern: re.Pattern[str]) -> dict[str, Part] | None:
+    def match(self, pattern: re.Pattern[str]) -> dict[str, SourceSpan] | None:
         """Return the named groups of a pattern that matches all of the part, None for another part."""
         found = pattern.fullmatch(self.text)
         if found is None:
@@ -53,10 +53,10 @@ class Part:
         groups = ((name, found.span(name)) for name in pattern.groupindex)
         return {name: self[start:end].strip() for name, (start, end) in groups if start >= 0}
 
-    def split(self, separator: str) -> list[Part]:
+    def split(self, separator: str) -> list[SourceSpan]:
         """Part the text at a separator outside all brackets; ``<`` and ``>`` are brackets here."""
         text, open_brackets, start = self.text, list[tuple[str, int]](), 0
-        parts: list[Part] = []
+        parts: list[SourceSpan] = []
         for place, char in enumerate(text):
             if char in CLOSING:
                 open_brackets.append((CLOSING[char], place))
@@ -71,12 +71,12 @@ class Part:
             self[place:].fail(f"the bracket that opens here lacks its {closing!r}")
         return [*parts, self[start:].strip()]
 
-    def inside(self, opening: str = "[") -> Part | None:
+    def inside(self, opening: str = "[") -> SourceSpan | None:
         """Return what stands between the brackets around the whole part, None where there are none."""
         found = self.call(opening)
         return None if found is None or found[0].text else found[1]
 
-    def call(self, opening: str = "(") -> tuple[Part, Part] | None:
+    def call(self, opening: str = "(") -> tuple[SourceSpan, SourceSpan] | None:
         """Return what stands before the last pair of brackets and inside it, where the part ends with it."""
         text, closing, depth = self.text, CLOSING[opening], 0
         if not text.endswith(closing):

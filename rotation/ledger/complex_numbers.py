@@ -6,7 +6,7 @@ thesis, and everything has its core over every commutative ring.
 
 from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import OnlyOver
 from rotation.ledger.plane import ARCTG, ON_CIRCLE
@@ -19,7 +19,7 @@ ANGLE_FORM = (
     " and (p[0]/z)**2 + (p[1]/z)**2 == 1"
 )
 POLAR_FORM = Angles(
-    Statement(
+    Assertion(
         ANGLE_FORM,
         words="if r² = a² + b² and r ≠ 0, then a + bi = r(cos θ + i sin θ) for the angle θ of the point "
         "(a/r, b/r) of the circle",
@@ -29,13 +29,13 @@ POLAR_FORM = Angles(
 COMPUTED = {
     "C2.1.3-a": Propositions(
         as_printed=OnlyOver(
-            Statement(ARCTG_FORM, words="θ = arctg b/a makes a + bi = |z|(cos θ + i sin θ)"),
+            Assertion(ARCTG_FORM, words="θ = arctg b/a makes a + bi = |z|(cos θ + i sin θ)"),
             (REAL,),
             "arctg is a real function.",
             (CIRCLE,),
         ),
         spoilt=OnlyOver(
-            Statement(f"{ARCTG} => norm({Z}) == norm(z*{FORM})"),
+            Assertion(f"{ARCTG} => norm({Z}) == norm(z*{FORM})"),
             (REAL,),
             "arctg is a real function.",
         ),
@@ -43,7 +43,7 @@ COMPUTED = {
     ),
     "C2.1.3-b": Propositions(
         as_printed=Angles(
-            Statement(
+            Assertion(
                 f"{ON_CIRCLE} => {Z} == {Z}*{FORM}",
                 words="a + bi = (a + bi)(cos θ + i sin θ) for every θ",
             )

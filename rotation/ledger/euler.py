@@ -7,7 +7,7 @@ from hfield.checker.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import OnlyOver
 from hfield.syntax import Node, both, implies, names, parse
@@ -83,16 +83,16 @@ def every_rotation(sine: Node) -> OnlyOver:
         SO3_IS_COFACTORS,
         SO3_COLUMNS,
         ModulusDefined(),
-        Statement.of(ENTRIES, words="the first column and the last row give the rest, times z²"),
-        *map(Statement.of, GENERAL),
-        Statement("p[1]**2 + q[1]**2 == 0 => p[1] == 0 and q[1] == 0"),
-        Statement.of(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
+        Assertion.of(ENTRIES, words="the first column and the last row give the rest, times z²"),
+        *map(Assertion.of, GENERAL),
+        Assertion("p[1]**2 + q[1]**2 == 0 => p[1] == 0 and q[1] == 0"),
+        Assertion.of(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
     )
     words = "every R in SO(3) is R_z(ψ)R_y(θ)R_x(γ) for some angles ψ, θ, γ"
     return OnlyOver(Every(parts, words), (REAL,), REAL_ANGLES, (CIRCLE,))
 
 
-PRODUCT_IS_I = Statement.of(implies(ANGLES, orthogonal(PRINTED_ZYX)), words="R_zyx·R_zyxᵗ = I")
+PRODUCT_IS_I = Assertion.of(implies(ANGLES, orthogonal(PRINTED_ZYX)), words="R_zyx·R_zyxᵗ = I")
 
 COMPUTED = {
     "C2.2.3-e": Propositions(as_printed=every_rotation(-Q[3]), spoilt=every_rotation(Q[3])),
@@ -101,13 +101,13 @@ COMPUTED = {
             Every(
                 (
                     PRODUCT_IS_I,
-                    Statement.of(implies(ANGLES, same(det(PRINTED_ZYX), 1)), words="det R_zyx = 1"),
+                    Assertion.of(implies(ANGLES, same(det(PRINTED_ZYX), 1)), words="det R_zyx = 1"),
                     CORE,
                 ),
                 f"R_zyx is in SO(3), and {CORE.text}",
             ),
             REAL_PART,
         ),
-        spoilt=Angles(Statement.of(implies(ANGLES, equal(PRINTED_ZYX, transpose(PRINTED_ZYX))))),
+        spoilt=Angles(Assertion.of(implies(ANGLES, equal(PRINTED_ZYX, transpose(PRINTED_ZYX))))),
     ),
 }

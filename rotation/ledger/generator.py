@@ -9,7 +9,7 @@ come from the extreme words. These words are the state of the generator after a 
 from collections.abc import Callable
 from random import Random
 
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 
 WORDS = 624  # of the state
 SAMPLES = 100
@@ -48,9 +48,9 @@ def is_made_of_words(seed: int) -> bool:
 def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
     """Say that all that ``random()`` returns lies in an interval; ``holds`` tells it of the extremes."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         low, high = returned(0, 0), returned(ONES, ONES)
-        return CheckResult(
+        return ComputedResult(
             holds(low, high) and all(map(is_made_of_words, range(SAMPLES))),
             (f"the least number is {low!r}", f"the greatest is {high!r}, {1 - high!r} below 1"),
             {"least": [repr(low)], "greatest": [repr(high)]},

@@ -16,7 +16,7 @@ from hfield.evidence import Evidence, Kind
 from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.fields.rationals.whole_numbers import fraction
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.prover.decision import REFUTED, Decision
 
 
@@ -50,7 +50,7 @@ class Less:
         sides = ((self.left, left), (self.right, right))
         steps = tuple(_valued(side, x) for side, x in sides if not side.replace(".", "").isdigit())
         if left < right:
-            decision = Statement(self.statement).decide(base)
+            decision = Assertion(self.statement).decide(base)
             return replace(decision, steps=(*steps, *decision.steps))
         gap = left - right
         squares = four_squares(gap.numerator * gap.denominator)

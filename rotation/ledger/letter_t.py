@@ -1,7 +1,7 @@
 """Example 2 of section 2.1.1: the letter T and its quarter turns."""
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, either, equal, implies, names, number
 
@@ -36,15 +36,15 @@ def joined(last: int) -> InField:
     some = either(*(equal(s, n) for n in range(1, last + 1)))
     points = either(*(equal(s + 1, n) for n in range(1, len(LETTER) + 1)))
     words = f"for every i from 1 to {last} there is a point x_(i+1)"
-    return InField("QQ", Statement.of(implies(some, points), words=words))
+    return InField("QQ", Assertion.of(implies(some, points), words=words))
 
 
 COMPUTED = {
     "C2.1.1-h": Propositions(
         as_printed=InField(
-            "QQ", Statement.of(letter_t(LETTER), words="the eight points are those of a letter T")
+            "QQ", Assertion.of(letter_t(LETTER), words="the eight points are those of a letter T")
         ),
-        spoilt=InField("QQ", Statement.of(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
+        spoilt=InField("QQ", Assertion.of(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
     ),
     "C2.1.1-i": Propositions(as_printed=joined(8), spoilt=joined(7), corrected=joined(7)),
 }

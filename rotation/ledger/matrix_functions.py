@@ -4,7 +4,7 @@ As in 3.1.1 they are run on terms. s and t stand for the cosine and the sine of 
 """
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.syntax import Name, conj, names, scalar
 from hfield.syntax import equal as same
 from rotation.ledger.listed_functions import listed
@@ -21,14 +21,14 @@ MATRICES = (
 )
 
 
-def about(axis: str, name: str) -> Statement:
+def about(axis: str, name: str) -> Assertion:
     """Say that a matrix function turns q about a basis vector as a quaternion of half the angle does."""
     double = {"cos": read_as({"angle": "s**2 - t**2"}), "sin": read_as({"angle": "2*s*t"})}
     matrix = code(name, **double)(ANGLE)
     turned = point(code("rotationbyMatrix")(matrix, Q))
     half = S + T * Name(axis)
     words = f"{name}(angle)·x = h·x·h̄ for h = cos(angle/2) + sin(angle/2)·{axis}"
-    return Statement.of(same(turned, half * point(Q) * conj(half)), ("s**2 + t**2 == 1",), words)
+    return Assertion.of(same(turned, half * point(Q) * conj(half)), ("s**2 + t**2 == 1",), words)
 
 
 def axes(*basis: str) -> Every:
@@ -43,7 +43,7 @@ EULER = {
 }
 
 
-def euler(order: tuple[str, str, str]) -> Statement:
+def euler(order: tuple[str, str, str]) -> Assertion:
     """Say that rotationMatrixZYX turns a point about these axes, the last one first, by ψ, φ, θ."""
     angles = {"z": PSI, "y": PHI, "x": THETA}
     turn, v = code("rotationbyMatrix"), coordinates("v")
@@ -54,19 +54,19 @@ def euler(order: tuple[str, str, str]) -> Statement:
     words = (
         f"rotationMatrixZYX(ψ, φ, θ) turns about {order[2]}, then about {order[1]} and {order[0]}"
     )
-    return Statement.of(equal(turn(matrix, v), step), words=words)
+    return Assertion.of(equal(turn(matrix, v), step), words=words)
 
 
 # A matrix of arbitrary entries: its rows are the coordinates of p, q and r.
 ROWS = [coordinates(row) for row in "pqr"]
 
 
-def rows_times(order: tuple[int, int, int]) -> Statement:
+def rows_times(order: tuple[int, int, int]) -> Assertion:
     """Say that rotationbyMatrix returns the products of these rows with the point v."""
     v = coordinates("v")
     product = [scalar(point(ROWS[n]) * conj(point(v))) for n in order]
     words = f"rotationbyMatrix(M, x) is the product of rows {order} of M with x"
-    return Statement.of(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
+    return Assertion.of(equal(code("rotationbyMatrix")(ROWS, v), product), words=words)
 
 
 COMPUTED = {

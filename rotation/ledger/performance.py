@@ -4,9 +4,9 @@ Numbers are recomputed from the printed times over ℚ. Of the second test, what
 a point is found by running them on symbols.
 """
 
-from hfield.ledger.claim import CheckResult, Computed
+from hfield.ledger.claim import Computed, ComputedResult
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.scopes import InField
 from rotation.ledger import generator, printed_times, second_benchmark
 from rotation.ledger.inequalities import Less, between
@@ -19,16 +19,16 @@ GAP = "the quaternions' mean of test 2 less that of test 1"
 
 def mean_is(times: printed_times.Times, printed: str) -> InField:
     """Say that the mean of the times is the number printed."""
-    return InField("QQ", Statement(f"{printed_times.mean(times)} == {printed}"))
+    return InField("QQ", Assertion(f"{printed_times.mean(times)} == {printed}"))
 
 
 def repeated(count: int) -> Computed:
     """Say that each of the four rows of the tables has so many times, in whole seconds."""
 
-    def check_claim() -> CheckResult:
+    def check_claim() -> ComputedResult:
         lengths = [len(row) for row in printed_times.ALL]
         whole = all(isinstance(time, int) for row in printed_times.ALL for time in row)
-        return CheckResult(
+        return ComputedResult(
             whole and set(lengths) == {count},
             (
                 f"rows of {', '.join(map(str, lengths))} times, {'all' if whole else 'not all'} whole",
@@ -44,8 +44,8 @@ COMPUTED = {
         spoilt=generator.within("(0, 1]", lambda low, high: low > 0 and high <= 1),
     ),
     "C3.2.1-c": Propositions(
-        as_printed=InField("QQ", Statement("10*30 == 300")),
-        spoilt=InField("QQ", Statement("10*25 == 300")),
+        as_printed=InField("QQ", Assertion("10*30 == 300")),
+        spoilt=InField("QQ", Assertion("10*25 == 300")),
     ),
     "C3.2.1-d": Propositions(as_printed=repeated(10), spoilt=repeated(11)),
     "C3.2.1-e": Propositions(

@@ -7,7 +7,7 @@ points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where
 
 from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.ledger.real_geometry import REAL, Angles
 from hfield.ledger.scopes import OnlyOver
 from hfield.syntax import Node, both, implies
@@ -54,8 +54,8 @@ ANGLE_OF_POINT = (
 
 # v ↦ p·v with |p| = 1 keeps lengths, and can be joined to the identity: it lies in SO(4). A vector
 # that it leaves where it is makes p − 1 a divisor of 0.
-FOUR = Statement("norm(p) == 1 => norm(p - 1) == 0")
-TWO_AND_THREE = (Statement.of(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
+FOUR = Assertion("norm(p) == 1 => norm(p - 1) == 0")
+TWO_AND_THREE = (Assertion.of(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
 EVERY_N = (
     "for n = 2, 3 and 4, every A in SO(n) is a rotation: it fixes all vectors but those of a plane"
 )
@@ -67,7 +67,7 @@ REAL_SPACE = "Rotations of the real space are meant."
 COMPUTED = {
     "C2.1-a": Propositions(
         as_printed=OnlyOver(
-            Statement(
+            Assertion(
                 f"{ARCTG} => {POLAR}",
                 words="r = √(x² + y²) and θ = arctg y/x make x = r cos θ and y = r sin θ",
             ),
@@ -76,10 +76,10 @@ COMPUTED = {
             (CIRCLE,),
         ),
         spoilt=OnlyOver(
-            Statement(f"{ARCTG} => z**2*y**2 == p[0]**2"), (REAL,), "arctg is a real function."
+            Assertion(f"{ARCTG} => z**2*y**2 == p[0]**2"), (REAL,), "arctg is a real function."
         ),
         corrected=Angles(
-            Statement(
+            Assertion(
                 ANGLE_OF_POINT,
                 words="if r² = x² + y² and r ≠ 0, then x = r cos θ and y = r sin θ for the angle θ of "
                 "the point (x/r, y/r) of the circle",
@@ -93,16 +93,16 @@ COMPUTED = {
     ),
     "C2.1.1-e": Propositions(
         as_printed=Angles(
-            Statement.of(THEOREM_4, words="every A in SO(2) is [[c, −s], [s, c]] with c² + s² = 1")
+            Assertion.of(THEOREM_4, words="every A in SO(2) is [[c, −s], [s, c]] with c² + s² = 1")
         ),
-        spoilt=Angles(Statement.of(implies(orthogonal(A), FIRST_COLUMN))),
+        spoilt=Angles(Assertion.of(implies(orthogonal(A), FIRST_COLUMN))),
     ),
     "C2.1.1-g": Propositions(
         as_printed=Angles(
-            Statement.of(
+            Assertion.of(
                 angle_found(1), words="A ∈ SO(2) makes det Aᵗ = 1 and det A = a11² + a12² = 1"
             )
         ),
-        spoilt=Angles(Statement.of(angle_found(3))),
+        spoilt=Angles(Assertion.of(angle_found(3))),
     ),
 }

@@ -6,7 +6,7 @@ coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and
 """
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, conj, equal, iff, inv, names, norm, scalar, unequal, vector
 from rotation.ledger.listed_functions import listed
@@ -43,10 +43,10 @@ LENGTH_1 = "if sin(angle/2) ≠ 0 and u ≠ 0, rotationquaternion(angle, u, u) =
 LENGTH = equal(Y**2, norm(U))
 
 
-def axis_stays(*given: Node, words: str = "") -> Statement:
+def axis_stays(*given: Node, words: str = "") -> Assertion:
     """Say that the axis p, not 0, stays where it is exactly when its length is 1."""
     stays = equal(AXIS_TURNED, U)
-    return Statement.of(iff(stays, UNIT), (CIRCLE, unequal(U, 0), *given), words)
+    return Assertion.of(iff(stays, UNIT), (CIRCLE, unequal(U, 0), *given), words)
 
 
 def rodrigues(cosine: Node, sine: Node) -> Node:
@@ -54,16 +54,16 @@ def rodrigues(cosine: Node, sine: Node) -> Node:
     return cosine * V + sine * vector(U * V) - (1 - cosine) * scalar(U * V) * U
 
 
-def same(left: Node, right: Node, *given: Node, words: str = "") -> Statement:
+def same(left: Node, right: Node, *given: Node, words: str = "") -> Assertion:
     """Return an equality under hypotheses."""
-    return Statement.of(equal(left, right), given, words)
+    return Assertion.of(equal(left, right), given, words)
 
 
 COMPUTED = {
     "C3.1.1-a": Propositions(
-        as_printed=InField("RR", Statement("(q != 0 => q*inv(q) == e) and p*q == q*p")),
-        spoilt=InField("RR", Statement("q != 0 => q*inv(q) == e")),
-        corrected=InField("RR", Statement("q != 0 => q*inv(q) == e")),
+        as_printed=InField("RR", Assertion("(q != 0 => q*inv(q) == e) and p*q == q*p")),
+        spoilt=InField("RR", Assertion("q != 0 => q*inv(q) == e")),
+        corrected=InField("RR", Assertion("q != 0 => q*inv(q) == e")),
     ),
     "C3.1.1-b": Propositions(as_printed=listed(HELPERS, 4), spoilt=listed(HELPERS, 5)),
     "C3.1.1-d": Propositions(
@@ -127,12 +127,12 @@ COMPUTED = {
         as_printed=axis_stays(unequal(T, 0), words=LENGTH_1), spoilt=axis_stays()
     ),
     "C3.1.1-n": Propositions(
-        as_printed=Statement.of(
+        as_printed=Assertion.of(
             NORMALISED,
             (LENGTH, unequal(Y, 0)),
             "if v ≠ 0, NormalizeVector(v)·|v| = v and NormalizeVector(v) has length 1",
         ),
-        spoilt=Statement.of(NORMALISED, (LENGTH,)),
+        spoilt=Assertion.of(NORMALISED, (LENGTH,)),
     ),
     "C3.1.1-p": Propositions(
         as_printed=same(

@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, either, implies, parse, unequal
@@ -62,10 +62,10 @@ def area_kept(steps: tuple[int, ...]) -> Node:
 
 COMPUTED = {
     "C2.1.2-a": Propositions(
-        as_printed=Angles(Statement.of(ANY_PRINTED, words="an orthogonal A is [[c, s], [s, c]]")),
-        spoilt=Angles(Statement.of(ANY)),
+        as_printed=Angles(Assertion.of(ANY_PRINTED, words="an orthogonal A is [[c, s], [s, c]]")),
+        spoilt=Angles(Assertion.of(ANY)),
         corrected=Angles(
-            Statement.of(
+            Assertion.of(
                 ANY,
                 words="an orthogonal A is [[c, −s], [s, c]] or [[c, s], [s, −c]] with c² + s² = 1",
             )
@@ -73,13 +73,13 @@ COMPUTED = {
     ),
     "C2.1.2-b": Propositions(
         as_printed=Angles(
-            Statement.of(
+            Assertion.of(
                 MINUS_PRINTED, words="an orthogonal A with det A = −1 is [[c, −s], [s, −c]]"
             )
         ),
-        spoilt=Angles(Statement.of(MINUS_MENDED)),
+        spoilt=Angles(Assertion.of(MINUS_MENDED)),
         corrected=Angles(
-            Statement.of(
+            Assertion.of(
                 MINUS_MENDED,
                 words="an orthogonal A with det A = −1 is [[c, s], [s, −c]] with c² + s² = 1",
             )
@@ -88,19 +88,19 @@ COMPUTED = {
     "C2.1.2-f": Propositions(
         as_printed=InField(
             "QQ(sqrt(5))",
-            Statement.of(turns(10), words="10 steps of 2π/10 make a full turn, and fewer do not"),
+            Assertion.of(turns(10), words="10 steps of 2π/10 make a full turn, and fewer do not"),
         ),
-        spoilt=InField("QQ(sqrt(5))", Statement.of(turns(9))),
+        spoilt=InField("QQ(sqrt(5))", Assertion.of(turns(9))),
     ),
     "C2.1.2-g": Propositions(
         as_printed=InField(
             "QQ(sqrt(5))",
-            Statement.of(
+            Assertion.of(
                 area_kept((0, 5)),
                 words="of the ten images by O(2πn/10), n from 0 to 9, those for n = 0 and 5 keep the "
                 "area, and no others",
             ),
         ),
-        spoilt=InField("QQ(sqrt(5))", Statement.of(area_kept((0, 2, 5)))),
+        spoilt=InField("QQ(sqrt(5))", Assertion.of(area_kept((0, 2, 5)))),
     ),
 }

@@ -3,7 +3,7 @@
 The test turns every point about its own direction, and by the Euler angle that has its coordinates.
 """
 
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.syntax import Node, both, comm, names, negation, norm, number, unequal
 from hfield.syntax import equal as same
 from rotation.ledger.symbolic_runs import code, coordinates, equal, point, read_as
@@ -20,16 +20,16 @@ SELF = "rotationquaternion(angle, x/|x|, x)"
 # The point p turned about itself, normalised: y is its length, t the sine of half the angle.
 NORM = {"sqrt": lambda square: Y}
 ITSELF = point(code("rotationquaternionNormalized", **HALF, **NORM)(ANGLE, P, P))
-STAYS = Statement.of(same(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE), f"{SELF} = x")
-MOVES = Statement.of(
+STAYS = Assertion.of(same(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE), f"{SELF} = x")
+MOVES = Assertion.of(
     unequal(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE, unequal(T, 0)), f"{SELF} ≠ x"
 )
 
 # With an axis of its own for every point: q, of length 1.
 OWN = point(code("rotationquaternion", **HALF)(ANGLE, Q, P))
 UNIT = same(norm(point(Q)), 1)
-STAYS_ABOUT_ANOTHER = Statement.of(same(OWN, PLACE), (UNIT, CIRCLE))
-MOVES_ABOUT_ANOTHER = Statement.of(
+STAYS_ABOUT_ANOTHER = Assertion.of(same(OWN, PLACE), (UNIT, CIRCLE))
+MOVES_ABOUT_ANOTHER = Assertion.of(
     unequal(OWN, PLACE),
     (UNIT, CIRCLE, unequal(T * comm(PLACE, point(Q)), 0)),
     "if u has length 1 and is not parallel to x, and sin(angle/2) ≠ 0, "
@@ -43,7 +43,7 @@ ANGLES = {
 }
 
 
-def euler_turned(angle: str) -> Statement:
+def euler_turned(angle: str) -> Assertion:
     """Say that the matrix model moves the point (x, 0, 0) wherever the sine of x is not 0."""
     matrix = code("rotationMatrixZYX", **ANGLES)(*names(f"{angle} zero zero"))
     place = [X, number(0), number(0)]
@@ -51,7 +51,7 @@ def euler_turned(angle: str) -> Statement:
     words = (
         f"if sin x ≠ 0, rotationbyMatrix(rotationMatrixZYX({angle}, 0, 0), [x, 0, 0]) ≠ [x, 0, 0]"
     )
-    return Statement.of(
+    return Assertion.of(
         negation(equal(turned, place)), (CIRCLE, unequal(T, 0), unequal(X, 0)), words
     )
 
@@ -70,7 +70,7 @@ def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Node]]:
     return matrix
 
 
-def determined(*cosines: str) -> Statement:
+def determined(*cosines: str) -> Assertion:
     """Say that equal matrices come from equal angles, given what is said of the middle ones' cosines.
 
     The last row and the first column of the matrices tell the angles already.
@@ -84,4 +84,4 @@ def determined(*cosines: str) -> Statement:
     words = (
         "if rotationMatrixZYX(x) = rotationMatrixZYX(y) and the middle cosines are positive, x = y"
     )
-    return Statement.of(alike, (*circles, equal(*angle_entries), *cosines), words)
+    return Assertion.of(alike, (*circles, equal(*angle_entries), *cosines), words)

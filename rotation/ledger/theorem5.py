@@ -14,7 +14,7 @@ norm is a square), is the axis of a half turn.
 from hfield.ledger.document import Propositions
 from hfield.ledger.linear_algebra import IsBasis
 from hfield.ledger.modulus import ModulusDefined
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.ledger.real_geometry import Angles
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same
@@ -59,19 +59,19 @@ SKEW = shifted(
     tuple(tuple(difference(R[r][c], R[c][r]) for c in range(3)) for r in range(3)), 1 + T
 )
 
-SO3_IS_COFACTORS = Statement.of(
+SO3_IS_COFACTORS = Assertion.of(
     implies(both(ORTHOGONAL, DETERMINANT), OWN_COFACTORS),
     words="R ∈ SO(3) is its own matrix of cofactors",
 )
-FIXED_VECTOR = Statement.of(
+FIXED_VECTOR = Assertion.of(
     implies(both(DETERMINANT, OWN_COFACTORS), same(det(shifted(R, -ONE)), 0)),
     words="if det R = 1 and R is its own matrix of cofactors, det(R − I) = 0",
 )
-SO3_COLUMNS = Statement.of(
+SO3_COLUMNS = Assertion.of(
     implies(both(ORTHOGONAL, DETERMINANT, OWN_COFACTORS), orthogonal(transpose(R))),
     words="R ∈ SO(3) makes RᵗR = I",
 )
-AXIS_AND_ANGLE = Statement.of(
+AXIS_AND_ANGLE = Assertion.of(
     implies(
         both(ORTHOGONAL, OWN_COFACTORS),
         both(
@@ -90,8 +90,8 @@ NO_SQUARES = "p[1]**2 + p[2]**2 + p[3]**2 == 0 => p[1] == 0 and p[2] == 0 and p[
 HALF_TURN = implies(OWN_COFACTORS, equal(cofactors(shifted(R, ONE)), SKEW))
 REAL_PART = Every(
     (
-        Statement(NO_SQUARES),
-        Statement.of(HALF_TURN, words="the minors of R + I are the entries of R − Rᵗ + (1 + t)I"),
+        Assertion(NO_SQUARES),
+        Assertion.of(HALF_TURN, words="the minors of R + I are the entries of R − Rᵗ + (1 + t)I"),
         ModulusDefined(),
     ),
     "where t = −1, R + I has rank one and gives the axis",
@@ -132,28 +132,28 @@ KEEPS_PLANE = (
     ),
     same(dot(apply(R, V), U), dot(V, apply(transpose(R), U))),
 )
-ROWS_EXCHANGED = Statement.of(
+ROWS_EXCHANGED = Assertion.of(
     same(det(SWAPPED), -det(R)), words="exchanging two rows changes the sign of det B"
 )
-SQUARE_OF_DETERMINANT = Statement.of(
+SQUARE_OF_DETERMINANT = Assertion.of(
     both(same(det(R) ** 2, det(times(R, COLUMNS))), same(det(identity(3)), 1)),
     words="(det B)² = det BBᵗ, and det I = 1",
 )
 ORIENTED = Every(
     (
         SQUARE_OF_DETERMINANT,
-        Statement("s**2 == 1 => s == 1 or s == -1", words="(det B)² = 1 makes det B = ±1"),
+        Assertion("s**2 == 1 => s == 1 or s == -1", words="(det B)² = 1 makes det B = ±1"),
         ROWS_EXCHANGED,
-        Statement.of(implies(ORTHOGONAL, orthogonal(SWAPPED)), words="and leaves B orthogonal"),
+        Assertion.of(implies(ORTHOGONAL, orthogonal(SWAPPED)), words="and leaves B orthogonal"),
     ),
     "BBᵗ = I makes det B = ±1, and exchanging two rows changes the sign",
 )
 ANY_COLUMNS = equal(times(R, B), transpose(tuple(apply(R, v) for v in transpose(B))))
 IMAGES_OF_BASIS = Every(
     (
-        Statement.of(ANY_COLUMNS, words="AB = [Av1, Av2, Av3]"),
-        Statement.of(KEEPS_PLANE[0], words="if AᵗA = I and Au = u, then Aᵗu = u"),
-        Statement.of(KEEPS_PLANE[1], words="(Av)∘u = v∘(Aᵗu)"),
+        Assertion.of(ANY_COLUMNS, words="AB = [Av1, Av2, Av3]"),
+        Assertion.of(KEEPS_PLANE[0], words="if AᵗA = I and Au = u, then Aᵗu = u"),
+        Assertion.of(KEEPS_PLANE[1], words="(Av)∘u = v∘(Aᵗu)"),
     ),
     "AB = [Av1, Av2, Av3], and Av1, Av2 are perpendicular to v3 = Av3",
 )
@@ -163,7 +163,7 @@ COMPUTED = {
     "C2.2.4-m": Propositions(
         as_printed=Angles(CORE, REAL_PART),
         spoilt=Angles(
-            Statement.of(implies(both(DETERMINANT, OWN_COFACTORS), same(det(shifted(R, ONE)), 0)))
+            Assertion.of(implies(both(DETERMINANT, OWN_COFACTORS), same(det(shifted(R, ONE)), 0)))
         ),
     ),
     "C2.2.4-n": Propositions(
@@ -178,7 +178,7 @@ COMPUTED = {
             (
                 SQUARE_OF_DETERMINANT,
                 ROWS_EXCHANGED,
-                Statement(
+                Assertion(
                     "s**2 == 1 and y == 1 => s == 1",
                     words="(det B)² = 1 and det A = 1 make det B = 1",
                 ),
@@ -192,11 +192,11 @@ COMPUTED = {
     "C2.2.4-r": Propositions(
         as_printed=Every(
             (
-                Statement.of(
+                Assertion.of(
                     equal(times(B, bordered(ONE)), IMAGES),
                     words="B·[[a, c, 0], [b, d, 0], [0, 0, 1]] = [av1 + bv2, cv1 + dv2, v3]",
                 ),
-                Statement.of(
+                Assertion.of(
                     CASE_ONE,
                     words="if [[a, c, 0], [b, d, 0], [0, 0, 1]] is in SO(3), [[a, c], [b, d]] is in SO(2)",
                 ),

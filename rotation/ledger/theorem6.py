@@ -6,7 +6,7 @@ c = cos θ and s = sin θ are the scalars ``y`` and ``s``; the axis u and the po
 """
 
 from hfield.ledger.document import Propositions
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.real_geometry import Angles
 from hfield.syntax import Node, both, equal, implies, names, norm, vector
 from rotation.ledger.entries import coordinates, cross, dot
@@ -33,12 +33,12 @@ ALONG = 2 * S**2 * dot(A, B) * U
 COMPUTED = {
     "C2.2.5-e": Propositions(
         as_printed=Angles(
-            Statement.of(
+            Assertion.of(
                 theorem_6(ALONG),
                 words="if c² + s² = 1 and |u| = 1, then (c + su)v(c − su) = (c² − s²)v + 2cs(u×v) + "
                 "2s²(u∘v)u, and c − su is the inverse of c + su",
             )
         ),
-        spoilt=Angles(Statement.of(theorem_6(-ALONG))),
+        spoilt=Angles(Assertion.of(theorem_6(-ALONG))),
     ),
 }

@@ -11,7 +11,7 @@ import pytest
 from hfield import QuaternionAlgebra
 from hfield.checker.check import ExpectedClaim
 from hfield.cli import main
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 from hfield.orders import certificates
 from hfield.orders.equivalence_result import EquivalenceResult
 from tests.checker.cases import Certificate
@@ -51,13 +51,13 @@ def conjugated(order: Any, x: Any) -> Any:
     return (x * order * x.inverse()).left_order()
 
 
-def equivalence_claim(first: Any, second: Any, element: Any) -> Claim:
+def equivalence_claim(first: Any, second: Any, element: Any) -> CertifiedClaim:
     """That this element carries one ideal to the other; without one, that none does."""
     result = EquivalenceResult(element is not None, "", element)
     return certificates.of_equivalence(first.side, first.value, second.value, None, result)
 
 
-def isomorphism_claim(first: Any, second: Any, element: Any) -> Claim:
+def isomorphism_claim(first: Any, second: Any, element: Any) -> CertifiedClaim:
     """That this element conjugates one order into the other; without one, that none does."""
     result = EquivalenceResult(element is not None, "", element)
     return certificates.of_isomorphism(first.value, second.value, result)

@@ -12,7 +12,7 @@ from hfield.checker.check import check
 from hfield.checker.glossary import METHODS, THEOREMS, UNCERTIFIED, VERDICTS
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.certificate import certificate
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.prover.decision import Decision
 
 ROOT = Path(__file__).parents[2]
@@ -88,7 +88,7 @@ def test_the_documents_list_the_methods() -> None:
 
 
 def test_a_row_that_cites_other_than_its_evidence_has_no_certificate() -> None:
-    claim = Statement("p*q == q*p")
+    claim = Assertion("p*q == q*p")
     evidence = Evidence(Kind.IDENTITY)
     good = Decision("proved", "identity", evidence=evidence)
     data = certificate(claim, good, "GF(2)")

@@ -12,15 +12,15 @@ from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.modulus import ModulusDefined
-from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
+from hfield.ledger.propositions import Assertion, Equivalence, Every, Implication
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.scopes import InField, Negation
 from tests.checker.cases import with_rings
 from tests.checker.ring_data import data_of
 
-CIRCLE_CORE = Statement("y**2 + s**2 == 1 => (y + s*i)*(y - s*i) == 1")
-REAL_PART = Statement("p[0]**2 + p[1]**2 == 0 => p[0] == 0 and p[1] == 0")
-CUBIC = Statement("(s - 1)*(s - 2)*(s - 3) == s**3 - 6*s**2 + 11*s - 6")
+CIRCLE_CORE = Assertion("y**2 + s**2 == 1 => (y + s*i)*(y - s*i) == 1")
+REAL_PART = Assertion("p[0]**2 + p[1]**2 == 0 => p[0] == 0 and p[1] == 0")
+CUBIC = Assertion("(s - 1)*(s - 2)*(s - 3) == s**3 - 6*s**2 + 11*s - 6")
 
 
 def certified(proposition: Proposition, field: str | None) -> dict[str, Any]:
@@ -42,7 +42,7 @@ def renamed(data: dict[str, Any], statement: str) -> dict[str, Any]:
 
 
 def test_over_is_about_the_ring_named() -> None:
-    data = certified(InField("GF(3)", Statement("1 + 1 == -1")), None)
+    data = certified(InField("GF(3)", Assertion("1 + 1 == -1")), None)
     assert data["statement"] == "over{GF(3); 1 + 1 == -1}"
     with pytest.raises(Rejected, match="expanding"):
         check(renamed(data, "over{QQ; 1 + 1 == -1}"))
@@ -52,7 +52,7 @@ def test_over_is_about_the_ring_named() -> None:
 
 
 def test_over_refutes_with_a_witness_in_that_ring() -> None:
-    proposition = InField("QQ", Statement("s**2 == 1 => s == 1"))
+    proposition = InField("QQ", Assertion("s**2 == 1 => s == 1"))
     decision = proposition.decide(None)
     assert decision.witness == {"F": ["QQ"], "s": ["-1"]}
     data = certified(proposition, None)
@@ -71,14 +71,14 @@ def test_over_refutes_with_a_witness_in_that_ring() -> None:
     ],
 )
 def test_over_rings_where_nothing_is_proved(name: str, why: str) -> None:
-    data = certified(InField("QQ", Statement("1 + 1 == 2")), None)
+    data = certified(InField("QQ", Assertion("1 + 1 == 2")), None)
     statement = f"over{{{name}; 1 + 1 == 2}}"
     with pytest.raises(Rejected, match=why):
         check(renamed(data, statement) if name == "RDF" else changed(data, statement=statement))
 
 
 def test_over_joins_other_words() -> None:
-    parts = (InField("QQ", Statement("2 != 0")), InField("GF(2)", Statement("2 == 0")))
+    parts = (InField("QQ", Assertion("2 != 0")), InField("GF(2)", Assertion("2 == 0")))
     data = certified(Every(parts), None)
     with pytest.raises(Rejected, match=r"covered|expanding"):
         check(changed(data, statement="every{over{GF(2); 2 != 0}; over{QQ; 2 == 0}}"))
@@ -87,7 +87,7 @@ def test_over_joins_other_words() -> None:
 def test_what_stands_in_brackets_is_a_name() -> None:
     place = "QQ[s]/(s^3-2)_(2, s)"
     data = renamed(
-        certified(InField("QQ", Statement("1 + 1 == 2")), None), f"over{{{place}; 1 + 1 == 2}}"
+        certified(InField("QQ", Assertion("1 + 1 == 2")), None), f"over{{{place}; 1 + 1 == 2}}"
     )
     assert check(data).verdict == "proved"
     check(data, ExpectedClaim((f"over{{ {place} ;1 + 1 == 2}}",)))
@@ -101,7 +101,7 @@ def test_what_stands_in_brackets_is_a_name() -> None:
 
 
 def test_the_rings_that_are_named_are_said_and_no_others() -> None:
-    parts = (InField("QQ", Statement("2 != 0")), InField("GF(2)", Statement("2 == 0")))
+    parts = (InField("QQ", Assertion("2 != 0")), InField("GF(2)", Assertion("2 == 0")))
     data = certified(Every(parts), None)
     own, rings = data["evidence"]["evidence"], [data_of("GF(2)"), data_of("QQ")]
     assert data["evidence"] == {"kind": "rings", "rings": rings, "evidence": own}
@@ -135,7 +135,7 @@ def test_the_rings_that_are_named_are_said_and_no_others() -> None:
     twice = {**data["evidence"], "evidence": data["evidence"]}
     with pytest.raises(Rejected, match="does not show this"):
         check(changed(data, evidence=twice))
-    alone = certified(Statement("2 == 1 + 1"), "QQ")
+    alone = certified(Assertion("2 == 1 + 1"), "QQ")
     for said in ([], [data_of("QQ")]):
         wrapped = {"kind": "rings", "rings": said, "evidence": alone["evidence"]}
         with pytest.raises(Rejected, match="of the kind 'rings' does not show"):
@@ -146,7 +146,7 @@ def test_the_rings_that_are_named_are_said_and_no_others() -> None:
     "name", ["GF(3^2)", "GF( 9)", "GF(9,x^2+2*x+2)", "gf(9)", "FF(9)", "GF(9, x^2+2*x+2)", "GF(3)"]
 )
 def test_a_ring_is_named_as_the_checker_writes_it(name: str) -> None:
-    data = certified(InField("GF(9)", Statement("1 + 1 == -1")), None)
+    data = certified(InField("GF(9)", Assertion("1 + 1 == -1")), None)
     with pytest.raises(Rejected, match="does not say which rings the statement names"):
         check(changed(data, statement=f"over{{{name}; 1 + 1 == -1}}"))
 
@@ -191,7 +191,7 @@ def test_a_false_real_part_is_refuted(wrap: str) -> None:
     }
     statement = wrap.format("angles{1 == 1; 1 == 2}")
     for field in (None, "RR"):
-        data = {**certified(Statement("1 + 1 == 2"), field), "statement": statement}
+        data = {**certified(Assertion("1 + 1 == 2"), field), "statement": statement}
         refuted = {"kind": "part", "part": 0, "evidence": never} if "every" in statement else never
         cites = [CIRCLE] if field else []
         check({**data, "verdict": "refuted", "evidence": refuted, "assumes": cites})
@@ -213,7 +213,7 @@ def test_a_false_real_part_is_refuted(wrap: str) -> None:
 
 
 def test_what_fails_over_rr_alone_fails_somewhere() -> None:
-    data = certified(Statement("1 + 1 == 2"), None)
+    data = certified(Assertion("1 + 1 == 2"), None)
     never = {
         "kind": "part",
         "part": 1,
@@ -232,7 +232,7 @@ def test_what_fails_over_rr_alone_fails_somewhere() -> None:
 
 
 def test_the_prover_decides_the_real_part_of_all_fields() -> None:
-    false = Statement("s**2 == s")
+    false = Assertion("s**2 == s")
     assert Angles(CIRCLE_CORE, false).decide(None).verdict == "refuted"
     assert Angles(CIRCLE_CORE, false).decide(ring("RR")).verdict == "refuted"
     assert Angles(CIRCLE_CORE, false).decide(ring("QQ")).verdict == "proved"
@@ -253,23 +253,23 @@ def test_theorems_are_cited_by_name() -> None:
 
 @pytest.mark.parametrize("text", ["over{QQ}", "citing{limits}", "angles{1 == 1; 1 == 1; 1 == 1}"])
 def test_the_number_of_parts_is_fixed(text: str) -> None:
-    data = certified(Statement("1 + 1 == 2"), None)
+    data = certified(Assertion("1 + 1 == 2"), None)
     with pytest.raises(Rejected, match="parts"):
         check(changed(data, statement=text))
 
 
 def test_what_holds_in_the_panel_may_fail_elsewhere() -> None:
-    assert Negation(Statement("11 != 0")).decide(None).verdict == "undecided"  # GF(11) is not in it
-    assert Negation(Statement("11 != 0")).decide(ring("GF(7)")).verdict == "refuted"
-    assert Negation(Statement("q == 0 => norm(q) == 0")).decide(None).verdict == "refuted"
+    assert Negation(Assertion("11 != 0")).decide(None).verdict == "undecided"  # GF(11) is not in it
+    assert Negation(Assertion("11 != 0")).decide(ring("GF(7)")).verdict == "refuted"
+    assert Negation(Assertion("q == 0 => norm(q) == 0")).decide(None).verdict == "refuted"
 
 
 def test_both_sides_cite() -> None:
-    false = Statement("1 == 2")
+    false = Assertion("1 == 2")
     for proposition in (
         Implication(ModulusDefined(), false),
         Equivalence(ModulusDefined(), false),
-        Equivalence(Statement("1 == 1"), ModulusDefined()),
-        Every((ModulusDefined(), Statement("1 == 1"))),
+        Equivalence(Assertion("1 == 1"), ModulusDefined()),
+        Every((ModulusDefined(), Assertion("1 == 1"))),
     ):
         assert certified(proposition, "RR")["assumes"] == [REAL_ROOTS]

@@ -20,7 +20,7 @@ from hfield.export.coq.sentences import Proved
 from hfield.export.coq.theorem import Theorem, theorem
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.registry import claims
 from tests.export.certificates import LEDGER, TRUE, forged_certificates, true_certificates
 from tests.export.one_process import reject_each
@@ -101,7 +101,7 @@ def test_spoilt_twins_are_rejected(coq):
     twins = []
     for claim in claims():
         twin = claim.spoilt
-        if isinstance(twin, Statement) and twin.decide(None).verdict == "refuted":
+        if isinstance(twin, Assertion) and twin.decide(None).verdict == "refuted":
             data = certificate(twin, twin.decide(None), UNIVERSAL)
             if data is None or "exists" in data["statement"]:
                 continue

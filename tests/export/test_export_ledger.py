@@ -5,7 +5,7 @@ import re
 import pytest
 
 from hfield.export.coq.ledger import BY_HAND, export_ledger, theorem_name
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.registry import claims, find
 
 
@@ -23,7 +23,7 @@ def test_everything_universal_is_exported():
     names = {t.name for t in export.theorems}
     for claim in claims():
         for kind, whole in (("", claim.as_printed), ("corrected", claim.corrected)):
-            if isinstance(whole, Statement) and whole.decide(None).verdict in ("proved", "vacuous"):
+            if isinstance(whole, Assertion) and whole.decide(None).verdict in ("proved", "vacuous"):
                 assert theorem_name(claim, kind, 0) in names, claim.id
     assert {"C1_3_1_y_corrected_7", "C1_2_g", "C1_2_a_2_fails", "C1_1_2_b_2"} <= names
     assert len(names) == len(export.theorems) > 220

@@ -3,7 +3,7 @@
 import pytest
 
 from hfield.fields import GF
-from hfield.ledger.propositions import Every, Statement
+from hfield.ledger.propositions import Assertion, Every
 from hfield.ledger.registry import claims
 from tests.adversary.falsify import is_true
 from tests.adversary.meaning import read_claim
@@ -16,7 +16,7 @@ CASES_LATER = cases(2 * 10**5)  # for the chapters after the first, which have l
 
 def statements(proposition):
     """The statements that a proposition is made of."""
-    if isinstance(proposition, Statement):
+    if isinstance(proposition, Assertion):
         return [proposition.statement]
     parts = proposition.parts if isinstance(proposition, Every) else ()
     return [text for part in parts for text in statements(part)]
@@ -38,7 +38,7 @@ def test_every_case_agrees_with_the_verdict(p):
         true = is_true(read_claim(text, None), galois(p), most)
         if true is None:
             continue
-        verdict = Statement(text).decide(GF(p)).verdict
+        verdict = Assertion(text).decide(GF(p)).verdict
         assert (verdict in ("proved", "vacuous")) == true, text
         tried += 1
     assert tried > 100

@@ -1,7 +1,7 @@
 """What a proof over every commutative ring says of one field is what the prover finds there."""
 
 from hfield.fields.names import ring
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.transfer import from_general_proof
 from hfield.prover.decide import decide
 from tests.subcases import subcases
@@ -27,7 +27,7 @@ FIELDS = ("QQ", "GF(2)", "GF(3)", "GF(9)", "QQ(sqrt(-7))", "GF(2)(t)", "RR")
     ],
 )
 def test_the_verdict_is_that_of_the_field(formula: str, field: str) -> None:
-    assert Statement(formula).decide(ring(field)).verdict == decide(formula, field).verdict
+    assert Assertion(formula).decide(ring(field)).verdict == decide(formula, field).verdict
 
 
 def test_what_is_carried() -> None:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from hfield import QQ, H, QuaternionAlgebra, prove, ring
 from hfield.errors import NotationError
-from hfield.ledger.propositions import Statement
+from hfield.ledger.propositions import Assertion
 from hfield.ledger.registry import claims
 from hfield.prover.statements.printing import to_text, to_unicode
 from hfield.syntax import parse, plain, plain_element
@@ -23,7 +23,7 @@ def without_inverses(text):
 def statements_of_the_thesis():
     for claim in claims():
         for proposition in (claim.as_printed, claim.corrected):
-            if isinstance(proposition, Statement):
+            if isinstance(proposition, Assertion):
                 yield proposition.statement
 
 

@@ -30,10 +30,10 @@ from hfield.cli.status import Waiting
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.lattice import ClassSet, Order
     from hfield.orders.newforms import Newform
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "List the right ideal classes of an Eichler order over QQ or a totally real field, with "
@@ -86,7 +86,7 @@ def run(args: Namespace) -> int:
 
 def _answer(
     args: Namespace, executor: Executor | None
-) -> tuple[OutputDocument, Callable[[], Claim]]:
+) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     from hfield.orders.mass_formula import class_number_by_formula
 
     A = algebra_of(args.algebra)
@@ -103,7 +103,7 @@ def _answer(
             "--formula is for algebras over QQ; over other fields the classes are enumerated, up to the mass"
         )
 
-    def parts() -> list[Part]:
+    def parts() -> list[AnswerSection]:
         from hfield.presenting import Facts
 
         return [Facts(_facts(O, f"{number}, by Eichler's formula"), 14)]
@@ -135,7 +135,7 @@ def _facts(O: Order, number: str) -> list[tuple[str, str]]:
 
 def _enumerated(
     args: Namespace, C: ClassSet, number: int | None
-) -> tuple[OutputDocument, Callable[[], Claim]]:
+) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     """Answer with the list of classes; ``number`` is how many a formula gives, if there is one."""
     from hfield.orders.lattice_values import rows_json
 
@@ -157,7 +157,7 @@ def _enumerated(
             **(_forms_data(C) if args.newforms else {}),
         }
 
-    def parts() -> list[Part]:
+    def parts() -> list[AnswerSection]:
         from hfield.presenting import Facts
 
         how = "by enumeration up to the mass" if number is None else FORMULA_AND_ENUMERATION
@@ -173,7 +173,7 @@ def _enumerated(
     return of_parts(data, parts), lambda: C.claim
 
 
-def _table(C: ClassSet) -> Part:
+def _table(C: ClassSet) -> AnswerSection:
     """Return the first classes; ideals with a basis of four elements by a reduced one."""
     from hfield.presenting import TextTable
 
@@ -198,7 +198,7 @@ def _table(C: ClassSet) -> Part:
     )
 
 
-def _types(C: ClassSet) -> list[Part]:
+def _types(C: ClassSet) -> list[AnswerSection]:
     """Return the types in the order of their labels, unless they are many or have none."""
     from hfield.errors import UndecidedError
     from hfield.presenting import TextTable
@@ -215,9 +215,9 @@ def _types(C: ClassSet) -> list[Part]:
     return [TextTable(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
 
 
-def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     """Answer by strong approximation where an infinite place splits."""
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.certificates import REFUSAL
 
     A = O.algebra
@@ -236,7 +236,7 @@ def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[],
             "classes": [class_data(I) for I in ideals],
         }
 
-    def parts() -> list[Part]:
+    def parts() -> list[AnswerSection]:
         from hfield.presenting import Facts
 
         facts = [
@@ -250,7 +250,7 @@ def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[],
         ]
         return [Facts(facts, 14)]
 
-    claim = Claim(A, "classes", {}, "strong approximation", refusal=REFUSAL)
+    claim = CertifiedClaim(A, "classes", {}, "strong approximation", refusal=REFUSAL)
     return of_parts(data, parts), lambda: claim
 
 
@@ -273,7 +273,7 @@ def _forms_data(C: ClassSet) -> dict[str, object]:
     return {**sizes, "newforms": forms}
 
 
-def _forms(C: ClassSet) -> list[Part]:
+def _forms(C: ClassSet) -> list[AnswerSection]:
     """Return dimensions and newforms, as parts."""
     from hfield.presenting import Facts
 

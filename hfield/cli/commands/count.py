@@ -12,7 +12,7 @@ from hfield.cli.parser import add_algebra, add_format, add_output, add_standalon
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Count the elements of an algebra over a finite ring by norm and by kind. Closed "
@@ -147,7 +147,7 @@ def _exhausted(A: QuaternionAlgebra) -> CountTable:
     return CountTable(A, lines, found.elements)
 
 
-def parts(result: CountTable, heading: str = "") -> list[Part]:
+def parts(result: CountTable, heading: str = "") -> list[AnswerSection]:
     """Return what people read; without a heading as a part of the page about the algebra."""
     from hfield.latex import words
     from hfield.presenting import LayoutBlock, TextTable, hanging

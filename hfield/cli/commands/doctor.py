@@ -15,7 +15,7 @@ from hfield.cli.answer_formats import answer_one, of_parts
 from hfield.cli.parser import add_format, add_output
 
 if TYPE_CHECKING:
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "List the libraries that hfield needs, and the optional ones with what each adds. Exit "
@@ -74,7 +74,7 @@ def _version(name: str) -> str | None:
         return None
 
 
-def _parts(needed: dict[str, str | None], others: dict[str, str | None]) -> list[Part]:
+def _parts(needed: dict[str, str | None], others: dict[str, str | None]) -> list[AnswerSection]:
     from hfield.presenting import Facts, LayoutBlock
 
     encoding = getattr(sys.stdout, "encoding", None) or "unknown"

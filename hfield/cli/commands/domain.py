@@ -15,7 +15,7 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Compute the group of units of norm 1 of an order in an algebra that splits at exactly "
@@ -124,7 +124,7 @@ def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, object]
     return data
 
 
-def parts(domain: Domain, points: Sequence[CMPoint] = ()) -> list[Part]:
+def parts(domain: Domain, points: Sequence[CMPoint] = ()) -> list[AnswerSection]:
     """Return what people read, with CM points in the domain."""
     from hfield.presenting import Facts
 

@@ -11,9 +11,9 @@ from hfield.cli.orders import add_answers, add_where, algebra_of, answer_certifi
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.quadratic_orders import Embeddings
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Embed the quadratic order of discriminant D optimally in a maximal or an Eichler order: "
@@ -49,7 +49,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     A = algebra_of(args.algebra)
     E = A.eichler_order(level_of(args.level, A)).embeddings(A.ring(args.discriminant))
     shown = E.representatives if args.every else None
@@ -78,7 +78,7 @@ def to_json(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> dict[str, ob
     return data
 
 
-def parts(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> list[Part]:
+def parts(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> list[AnswerSection]:
     """Return the answer as facts."""
     from hfield.presenting import Facts
 

@@ -12,8 +12,8 @@ from hfield.cli.parser import UsageError
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from hfield.evidence import Claim
-    from hfield.presenting import Part
+    from hfield.evidence import CertifiedClaim
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Compute the discriminant, ring of integers, class group, narrow class group, unit "
@@ -41,7 +41,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     from hfield.fields.names import ring
 
     K: Any = ring(args.field)
@@ -84,7 +84,7 @@ def to_json(K: Any) -> dict[str, object]:
     }
 
 
-def parts(K: Any) -> list[Part]:
+def parts(K: Any) -> list[AnswerSection]:
     """Return what people read."""
     from hfield.presenting import Facts
 

@@ -20,10 +20,10 @@ from hfield.cli.orders import (
 )
 
 if TYPE_CHECKING:
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.equivalence_result import EquivalenceResult
     from hfield.orders.lattice import Ideal, Lattice
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Describe the ideal that elements generate in a maximal or an Eichler order: basis, "
@@ -62,7 +62,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     I, answer = _ideal_and_answer(args)
     question = "principal" if args.principal else "equivalent"
     found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer, question))
@@ -123,7 +123,7 @@ def _kinds(I: Ideal) -> str:
     return f"{': ' * bool(words)}{', '.join(words)}"
 
 
-def parts(I: Ideal, answer: EquivalenceResult | None, question: str) -> list[Part]:
+def parts(I: Ideal, answer: EquivalenceResult | None, question: str) -> list[AnswerSection]:
     """Return what people read."""
     from hfield.presenting import Facts
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.orders.lattice import ClassSet
     from hfield.orders.newforms import Newform
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "List the newforms of weight k that an Eichler order gives, one for each Galois orbit: the field of the "
@@ -139,7 +139,7 @@ def _form_data(f: Newform, bound: int) -> dict[str, object]:
     }
 
 
-def _parts(C: ClassSet, k: int, forms: list[Newform], bound: int) -> list[Part]:
+def _parts(C: ClassSet, k: int, forms: list[Newform], bound: int) -> list[AnswerSection]:
     from hfield.presenting import Facts
 
     O = C.order

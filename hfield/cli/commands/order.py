@@ -22,9 +22,9 @@ from hfield.cli.parser import UsageError
 from hfield.errors import TooLargeError, UndecidedError
 
 if TYPE_CHECKING:
-    from hfield.evidence import Claim
+    from hfield.evidence import CertifiedClaim
     from hfield.orders.lattice import Order
-    from hfield.presenting import Part
+    from hfield.presenting import AnswerSection
 
 HELP = (
     "Describe an order over ZZ, the integers of a number field, or GF(q)[t]: basis, "
@@ -71,10 +71,10 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     O = _made(args)
     data: Callable[[Order], dict[str, object]] = to_json
-    page: Callable[[Order], list[Part]] = parts
+    page: Callable[[Order], list[AnswerSection]] = parts
     if not O.value.ambient.base.is_rational:
         data, page = data_over_number_field, parts_over_number_field
     if not args.units:
@@ -94,7 +94,7 @@ def _units_json(O: Order) -> dict[str, object]:
     return {"unit_list": [[text(x) for x in q.coordinates] for q in O.units()]}
 
 
-def _listed_units(O: Order) -> Part:
+def _listed_units(O: Order) -> AnswerSection:
     """Return the units for people; over a number field one of each coset of those of the field."""
     from hfield.presenting import Facts
 
@@ -155,7 +155,7 @@ def _class_number(O: Order, definite: bool) -> dict[str, object]:
     return {"class_number": number, "class_number_by": how}
 
 
-def parts(O: Order) -> list[Part]:
+def parts(O: Order) -> list[AnswerSection]:
     """Return what people read."""
     from hfield.presenting import Facts
 
@@ -220,7 +220,7 @@ def _units(O: Order) -> tuple[int | None, str]:
         return None, f"not counted: {error}"
 
 
-def parts_over_number_field(O: Order) -> list[Part]:
+def parts_over_number_field(O: Order) -> list[AnswerSection]:
     """Return what people read of it."""
     from hfield.presenting import Facts
 

@@ -8,7 +8,7 @@ from hfield.export.coq.terms import NotCoveredError
 from hfield.export.coq.theorem import Theorem, theorem
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
-from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
+from hfield.ledger.propositions import Assertion, Equivalence, Every, Implication, Presented
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.registry import claims
 from hfield.ledger.scopes import InField, OnlyOver
@@ -100,7 +100,7 @@ def _is_candidate(part: Proposition) -> bool:
 
 
 def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
-    if not isinstance(part, Statement | Presented):
+    if not isinstance(part, Assertion | Presented):
         raise NoStatementError("this is not a statement of the language")
     decision = part.decide(None)
     data = certificate(part, decision, UNIVERSAL)

@@ -27,7 +27,11 @@ from hfield.fields.circles.angles import (
 )
 from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.fields.function_fields.over_number_fields import OverNumberField
-from hfield.fields.function_fields.quotients import FractionField, Quotient, value_of_fraction
+from hfield.fields.function_fields.quotients import (
+    FractionField,
+    RationalFunction,
+    value_of_fraction,
+)
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.polynomial_rings import PolynomialRing
 from hfield.fields.polynomial_rings import build as build_polynomials
@@ -42,7 +46,7 @@ if TYPE_CHECKING:
 Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
 
 
-class CircleFunctions(WithAngles[Quotient], FractionField):
+class CircleFunctions(WithAngles[RationalFunction], FractionField):
     """What fields of functions on circles share, above those of the rational functions in half tangents.
 
     >>> from hfield import ring
@@ -79,12 +83,12 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         return f"rational functions in {listed((*self.plain, *pairs))} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Quotient:
+    def gen(self) -> RationalFunction:
         """The cosine of the first angle."""
         name, parts = self.angles[0]
         return self.cosine_and_sine({name: Fraction(1, parts)})[0]
 
-    def generators(self) -> dict[str, Quotient]:
+    def generators(self) -> dict[str, RationalFunction]:
         """Return the other variables and the generators of the constants."""
         below = {name: self(x) for name, x in self.base.generators().items()}
         return below | {name: x for name, x in self.names().items() if name in self.plain}
@@ -95,7 +99,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
 
     # --- cosines and sines ---------------------------------------------------------------------
 
-    def half_tangent_point(self, angle: Angle) -> tuple[Quotient, Quotient]:
+    def half_tangent_point(self, angle: Angle) -> tuple[RationalFunction, RationalFunction]:
         """Return x and y with (cos, sin) of half an angle = (x, y)/r, for some r that depends on the angle.
 
         Raises :class:`CoercionError` for an angle that is no sum of multiples of those of the field.
@@ -117,14 +121,14 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
             x, y = x * u - y * v, x * v + y * u
         return x, y
 
-    def cosine_and_sine(self, angle: Angle) -> tuple[Quotient, Quotient]:
+    def cosine_and_sine(self, angle: Angle) -> tuple[RationalFunction, RationalFunction]:
         """Return cosine and sine. Raises :class:`CoercionError`, as for π/3, whose sine is not in ℚ."""
         x, y = self.half_tangent_point(angle)
         below = self.inverse(x * x + y * y)
         cosine, sine = (x * x - y * y) * below, x * y * 2 * below
         return rotated(self, (cosine, sine), angle)
 
-    def tangent(self, angle: Angle) -> Quotient:
+    def tangent(self, angle: Angle) -> RationalFunction:
         """Return the tangent, also of half the angles of the field. Raises :class:`CoercionError`."""
         if PI in angle:
             cosine, sine = self.cosine_and_sine(angle)
@@ -147,7 +151,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         exponents = min(rows, key=place)
         return place(exponents), rows[exponents]
 
-    def sign_near_zero(self, x: Quotient) -> int:
+    def sign_near_zero(self, x: RationalFunction) -> int:
         """Return the sign of x where all angles are positive and small, the last the smallest."""
         if self.is_zero(x):
             return 0
@@ -156,7 +160,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
 
     # --- written in cosines and sines ----------------------------------------------------------
 
-    def in_cosines(self, x: Quotient) -> tuple[SparsePolynomial, SparsePolynomial]:
+    def in_cosines(self, x: RationalFunction) -> tuple[SparsePolynomial, SparsePolynomial]:
         """Return numerator and denominator in cosines and variables, the numerator in sines too."""
         num, den = (self._raised(p) for p in (x.num, x.den))
         plain = len(self.plain)
@@ -215,13 +219,13 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
 
         return replaced(num), replaced(den)
 
-    def text(self, x: Quotient, style: str = "plain") -> str:
+    def text(self, x: RationalFunction, style: str = "plain") -> str:
         """Write x, such as ``sin(t)/(cos(t)+1)``."""
         num, den = (self.written.text(p, style) for p in self.in_cosines(x))
         shown = quotient_text(num, den, style)
         return in_latex(shown) if style == "latex" else shown
 
-    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+    def to_sympy(self, x: RationalFunction, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return x as an expression in cosines and sines."""
         known = self.in_sympy(symbols)
         num, den = (self.written.to_sympy(p, known) for p in self.in_cosines(x))
@@ -262,12 +266,12 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         target: Ring,
         images: Mapping[str, Any],
         below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[Quotient], Any]:
+    ) -> Callable[[RationalFunction], Any]:
         """Return the homomorphism that maps cosines, sines and variables to these images."""
         given = self.images_of_cosines(target, images)
         polynomial = self.written.evaluation(target, given, below)
 
-        def value(x: Quotient) -> Any:
+        def value(x: RationalFunction) -> Any:
             num, den = self.in_cosines(x)
             return value_of_fraction(self, x, target, polynomial(num), polynomial(den))
 
@@ -278,7 +282,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         names = self.written.variables
         return {v: target(v) if images.get(v) is None else images[v] for v in names}
 
-    def derivative(self, x: Quotient, variable: str) -> Quotient:
+    def derivative(self, x: RationalFunction, variable: str) -> RationalFunction:
         """Return the derivative by an angle, d/dt, or by another variable."""
         if variable in self.plain:
             return super().derivative(x, variable)
@@ -289,13 +293,13 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         tangent = self.names()[name]
         return super().derivative(x, name) * (tangent * tangent + 1) * self(Fraction(1, 2 * parts))
 
-    def variables_in(self, x: Quotient) -> set[str]:
+    def variables_in(self, x: RationalFunction) -> set[str]:
         """Return the angles and variables on which x depends."""
         found = super().variables_in(x)
         angles = {name for name, parts in self.angles if _tangent_name(name, parts) in found}
         return angles | (found & {*self.plain})
 
-    def random(self, rng: Random) -> Quotient:
+    def random(self, rng: Random) -> RationalFunction:
         """Return a random fraction of polynomials of few terms in cosines and sines."""
         pairs = [v for a in self.angles for v in self.cosine_and_sine({a[0]: Fraction(1, a[1])})]
         values = [*pairs, *(x for n, x in self.names().items() if n in self.plain)]
@@ -313,7 +317,7 @@ class OneCircle(CircleFunctions, FunctionField):
         FunctionField.__init__(self, base, _tangent_name(*angles[0]))
         self.name_by_angles(base, angles, ())
 
-    def names(self) -> dict[str, Quotient]:
+    def names(self) -> dict[str, RationalFunction]:
         """The tangent of half the angle, and the generator of the constants."""
         return {**self.base_names(), self.variables[0]: self._gen}
 

@@ -51,7 +51,7 @@ from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 from hfield.fields.rationals.whole_numbers import square_class
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
@@ -95,7 +95,7 @@ class FunctionArithmetic(GlobalField):
         """Return the places with a residue that is not trivial, by degree, infinity last."""
         return ramified_places_functions(self.ring, form)
 
-    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
+    def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> RationalFunction:
         """Return the product of the polynomials."""
         return self.ring.product_of(v.poly for v in ramified)
 
@@ -118,7 +118,7 @@ class FunctionArithmetic(GlobalField):
         return None if self.ring.base.order is None else residues_at(place)
 
     def residue_forms(
-        self, form: Sequence[Quotient]
+        self, form: Sequence[RationalFunction]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
         """Run through infinity and the polynomials in the coefficients, over QQ or where they are linear."""
         F = self.ring
@@ -146,13 +146,15 @@ class OverOdd(FunctionArithmetic):
         assert e is not None, "isomorphic algebras have a common slot"
         return through_slot(self.ring, outer, inner, e, self._conic_point)
 
-    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: RationalFunction) -> Coordinates | None:
         """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
         c = Constants(form.a, self.ring.zero, form.b)
         e = common_slot_functions(self.ring, c, [c.a, s])
         return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
 
-    def _conic_point(self, c: Constants) -> tuple[Quotient, Quotient, Quotient]:
+    def _conic_point(
+        self, c: Constants
+    ) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
         return solve_conic_functions(self.ring, c)
 
 
@@ -163,23 +165,25 @@ class OverEven(FunctionArithmetic):
         """Return I and J by a square root of b and one conic."""
         return embed_even(self.ring, outer, inner)
 
-    def square_parts(self, x: Quotient) -> tuple[Quotient, Quotient]:
+    def square_parts(self, x: RationalFunction) -> tuple[RationalFunction, RationalFunction]:
         """Return the even and the odd part of x, each under its root."""
         return square_parts(self.ring, x)
 
-    def as_norm(self, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
+    def as_norm(
+        self, x: RationalFunction, s: RationalFunction
+    ) -> tuple[RationalFunction, RationalFunction]:
         """Return w and r by comparing parts."""
         return as_norm(self.ring, x, s)
 
-    def artin_schreier(self, x: Quotient) -> Quotient | None:
+    def artin_schreier(self, x: RationalFunction) -> RationalFunction | None:
         """Return y from the leading terms down."""
         return artin_schreier(self.ring, x)
 
-    def has_root_at(self, place: FunctionPlace, t: Quotient, n: Quotient) -> bool:
+    def has_root_at(self, place: FunctionPlace, t: RationalFunction, n: RationalFunction) -> bool:
         """Tell whether x² − t·x + n has a root there; x² + n has its root in every division algebra."""
         return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
 
-    def of_trace_one(self, form: NormalForm, n: Quotient) -> Coordinates | None:
+    def of_trace_one(self, form: NormalForm, n: RationalFunction) -> Coordinates | None:
         """Return x by a conic, unless y² + y = n has a solution where the algebra ramifies."""
         one = self.ring.one
         return None if self.obstruction(form, one, n) else of_trace_one(self.ring, form, n)
@@ -220,12 +224,14 @@ class OverRationals(FunctionArithmetic):
         e = searched_slot(self.ring, outer, inner, self.same_class)
         return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
 
-    def traceless_root(self, form: NormalForm, s: Quotient) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm, s: RationalFunction) -> Coordinates | None:
         """Return x where a rational point of the line does not forbid it and one is found."""
         found = traceless_root_functions(self.ring, form, s)
         return None if found is None else (self.ring.zero, *found)
 
-    def obstruction(self, form: NormalForm, t: Quotient, n: Quotient) -> FunctionPlace | None:
+    def obstruction(
+        self, form: NormalForm, t: RationalFunction, n: RationalFunction
+    ) -> FunctionPlace | None:
         """Return a place where the residue is not taken away, or a rational one where a form has no zero."""
         return _obstruction(self.ring, form, _squarefree(self.ring, t * t / 4 - n)[1])
 

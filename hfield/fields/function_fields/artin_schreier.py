@@ -21,13 +21,13 @@ from hfield.fields.function_fields.symbols import ramified_places_functions
 from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 TRIALS = 3_000
 
 
-def has_solution_at(at: ResidueField, m: Quotient) -> bool:
+def has_solution_at(at: ResidueField, m: RationalFunction) -> bool:
     """Tell whether y² + y = m has a solution in the completion: poles go, one by one, by squares there."""
     while m.num != 0 and (order := at.valuation(m)) <= 0:
         lead = at.reduce(m * at.uniformiser**-order)
@@ -42,7 +42,7 @@ def has_solution_at(at: ResidueField, m: Quotient) -> bool:
     return True
 
 
-def of_trace_one(field: FunctionField, form: NormalForm, m: Quotient) -> Coordinates:
+def of_trace_one(field: FunctionField, form: NormalForm, m: RationalFunction) -> Coordinates:
     """Return x in the basis of the division algebra [a, b) with x² + x = m, where no place forbids it."""
     a, b = form.constants
     algebra, rest = Constants(a, field.one, b), a + m
@@ -99,7 +99,9 @@ def embed_even(
     return (p + scale * m, q, x, y), big_j
 
 
-def square_parts(field: FunctionField, x: Quotient) -> tuple[Quotient, Quotient]:
+def square_parts(
+    field: FunctionField, x: RationalFunction
+) -> tuple[RationalFunction, RationalFunction]:
     """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
     whole = x.num * x.den
     parts = []
@@ -112,14 +114,16 @@ def square_parts(field: FunctionField, x: Quotient) -> tuple[Quotient, Quotient]
     return parts[0], parts[1]
 
 
-def as_norm(field: FunctionField, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
+def as_norm(
+    field: FunctionField, x: RationalFunction, s: RationalFunction
+) -> tuple[RationalFunction, RationalFunction]:
     """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is not a square."""
     (x0, x1), (s0, s1) = square_parts(field, x), square_parts(field, s)
     r = field.divide(x1, s1)
     return x0 + r * s0, r
 
 
-def artin_schreier(field: FunctionField, x: Quotient) -> Quotient | None:
+def artin_schreier(field: FunctionField, x: RationalFunction) -> RationalFunction | None:
     """Return y with ``y² + y = x``, or None.
 
     The denominator has to be a square d², and y = m/d with ``m² + m·d = n``; the terms of m follow from the

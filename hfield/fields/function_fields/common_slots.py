@@ -25,7 +25,7 @@ from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Polynomial
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 TRIALS = 50_000
@@ -47,8 +47,8 @@ class _Local:
 
 
 def common_slot_functions(
-    field: FunctionField, c: Constants, numbers: Sequence[Quotient]
-) -> Quotient | None:
+    field: FunctionField, c: Constants, numbers: Sequence[RationalFunction]
+) -> RationalFunction | None:
     """Return an e with (x, e) isomorphic to the given algebra for each of the numbers x, or None.
 
     None is a proof that there is no such e: at some place no class has the symbols asked for. The numbers
@@ -58,7 +58,7 @@ def common_slot_functions(
     reduced, primes = _square_classes(field, numbers)
     places = {str(v): v for v in (*primes, *ramified) if v.poly is not None}
 
-    def fits(v: FunctionPlace, e: Quotient) -> bool:
+    def fits(v: FunctionPlace, e: RationalFunction) -> bool:
         sign = -1 if v in ramified else 1
         return all(symbol(field, _form(x, e), v) == sign for x in reduced)
 
@@ -72,13 +72,13 @@ def common_slot_functions(
     return _search(field, [x.num for x in reduced], locals_, infinite) if infinite else None
 
 
-def _form(a: Quotient, b: Quotient) -> NormalForm:
+def _form(a: RationalFunction, b: RationalFunction) -> NormalForm:
     return NormalForm("symbol", a, b, lambda q: q, lambda q: q)
 
 
 def _square_classes(
-    field: FunctionField, numbers: Sequence[Quotient]
-) -> tuple[list[Quotient], list[FunctionPlace]]:
+    field: FunctionField, numbers: Sequence[RationalFunction]
+) -> tuple[list[RationalFunction], list[FunctionPlace]]:
     """Return squarefree polynomials with the classes of the numbers, and their prime divisors."""
     reduced, primes = [], []
     for x in numbers:
@@ -129,7 +129,7 @@ def _search(
     numbers: list[Polynomial],
     places: list[_Local],
     infinite: set[tuple[int, bool]],
-) -> Quotient:
+) -> RationalFunction:
     """Try cofactors u of growing degree until ``u·∏ π^valuation`` is right at all places."""
     rng = random.Random(1)
     divisor = field.one.num
@@ -202,7 +202,7 @@ def searched_slot(
     )
 
 
-def _small_pairs(ring: FunctionField) -> Iterator[tuple[Quotient, Quotient]]:
+def _small_pairs(ring: FunctionField) -> Iterator[tuple[RationalFunction, RationalFunction]]:
     """Run through pairs of small polynomials over ℚ, not both 0."""
     seen: list[Any] = []
     for x in _small(ring):
@@ -212,7 +212,7 @@ def _small_pairs(ring: FunctionField) -> Iterator[tuple[Quotient, Quotient]]:
             yield y, x
 
 
-def _small(ring: FunctionField) -> Iterator[Quotient]:
+def _small(ring: FunctionField) -> Iterator[RationalFunction]:
     """Run through small polynomials, 0 and 1 first."""
     yield ring.zero
     yield ring.one

@@ -34,7 +34,7 @@ from hfield.fields.rationals.whole_numbers import fraction
 if TYPE_CHECKING:
     import flint
 
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 
@@ -48,7 +48,7 @@ class RamifiedError(ArithmeticError):
 
 def solve_conic_functions(
     field: FunctionField, c: Constants
-) -> tuple[Quotient, Quotient, Quotient]:
+) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
     """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
 
     Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
@@ -113,7 +113,7 @@ def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> l
         vectors[top] = combined
 
 
-def _degree(x: Quotient) -> int:
+def _degree(x: RationalFunction) -> int:
     """Return the degree of a rational function; a very small number for 0."""
     return int(x.num.degree()) - int(x.den.degree()) if x.num != 0 else -(10**9)
 
@@ -138,7 +138,9 @@ def _cross(u: Vector, v: Vector) -> Vector:
     ]
 
 
-def _constant_zero(field: FunctionField, form: tuple[Quotient, ...]) -> list[Quotient]:
+def _constant_zero(
+    field: FunctionField, form: tuple[RationalFunction, ...]
+) -> list[RationalFunction]:
     """Return a zero in k³, as constants of k(t), of a nondegenerate form with coefficients in a finite k."""
     base = field.base
     a, b, c, r, s, t = (base(f.num[0]) for f in form)
@@ -154,7 +156,9 @@ def _constant_zero(field: FunctionField, form: tuple[Quotient, ...]) -> list[Quo
     raise UndecidedError(f"a conic over {base.name} without a point was met")
 
 
-def _specialised_zero(field: FunctionField, form: Form, basis: list[Vector]) -> list[Quotient]:
+def _specialised_zero(
+    field: FunctionField, form: Form, basis: list[Vector]
+) -> list[RationalFunction]:
     """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
 
     The form is the same at every point of the line, so a zero of it at a point with small values,
@@ -191,6 +195,6 @@ def _rational_zero(form: Form) -> list[Fraction]:
     ]
 
 
-def _at(x: Quotient, point: flint.fmpq) -> flint.fmpq:
+def _at(x: RationalFunction, point: flint.fmpq) -> flint.fmpq:
     """Return the value of a rational function at a point where its denominator is not 0."""
     return x.num(point) / x.den(point)

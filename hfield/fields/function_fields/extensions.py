@@ -20,7 +20,7 @@ from hfield.fields.base.printing import blackboard, from_unicode, sum_text
 from hfield.fields.base.ring import Fact, Ring, shared
 from hfield.fields.base.roots import horner, multiplied, stripped
 from hfield.fields.base.to_sympy import polynomial_in, symbol
-from hfield.fields.function_fields.quotients import Quotient
+from hfield.fields.function_fields.quotients import RationalFunction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.polynomial_rings import build as build_polynomials
 from hfield.fields.several_variables.ring import RationalFunctions
@@ -28,7 +28,7 @@ from hfield.fields.several_variables.ring import RationalFunctions
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 MAX_DEGREE = 20
@@ -42,7 +42,7 @@ class ExtensionElement(Element):
     field: SimpleExtension
     coefficients: tuple[Any, ...]
 
-    def __init__(self, field: SimpleExtension, coefficients: Sequence[Quotient]) -> None:
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[RationalFunction]) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
@@ -74,7 +74,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
     """
 
     def __init__(
-        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[Quotient]
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[RationalFunction]
     ) -> None:
         self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
         self.characteristic = base.characteristic
@@ -95,7 +95,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         constant = all(x.num.is_constant() and x.den.is_constant() for x in c)
         return self.base.variables if constant else ()
 
-    def parts(self, x: ExtensionElement) -> list[Quotient]:
+    def parts(self, x: ExtensionElement) -> list[RationalFunction]:
         """Return the coefficients of x that are not 0."""
         return [c for c in x.coefficients if c.num != 0]
 
@@ -120,10 +120,10 @@ class SimpleExtension(Overfield[ExtensionElement]):
         below = {name: self._constant(x) for name, x in self.base.names().items()}
         return {**below, str(self.gen_name): self.gen}
 
-    def _constant(self, c: Quotient) -> ExtensionElement:
+    def _constant(self, c: RationalFunction) -> ExtensionElement:
         return self.reduced([c])
 
-    def reduced(self, coefficients: Sequence[Quotient]) -> ExtensionElement:
+    def reduced(self, coefficients: Sequence[RationalFunction]) -> ExtensionElement:
         """Return the class of a polynomial in u, low degree first."""
         out, n = list(coefficients), self.degree
         while len(out) > n:
@@ -160,7 +160,9 @@ class SimpleExtension(Overfield[ExtensionElement]):
         v, c = _inverse_modulo(f, g, base.one.num)
         return self.reduced([base.quotient(den * a, c) for a in v])
 
-    def _over_common_denominator(self, fractions: Sequence[Quotient]) -> tuple[list[Any], Any]:
+    def _over_common_denominator(
+        self, fractions: Sequence[RationalFunction]
+    ) -> tuple[list[Any], Any]:
         """Return the numerators of fractions over a common denominator, without zeros at the end, and it."""
         den = self.base.one.num
         for c in fractions:
@@ -332,7 +334,7 @@ def build(base: Ring, variable: str, text: str) -> SimpleExtension:
     return shared(SimpleExtension, name, words, base, variable, tuple(f))
 
 
-def read_polynomial(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
+def read_polynomial(base: Ring, variable: str, text: str, what: str) -> list[RationalFunction]:
     """Read a polynomial in the variable over a ring, low degree first. Raises :class:`RingError`."""
     free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
 
@@ -354,7 +356,7 @@ def read_polynomial(base: Ring, variable: str, text: str, what: str) -> list[Quo
         raise RingError(f"{what} cannot be read: {error}") from error
 
 
-def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -> None:
+def _check_irreducible(base: Any, variable: str, f: list[RationalFunction], what: str) -> None:
     """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
     if base.characteristic == 0 or (
         isinstance(base.base, Ring) and base.base.order == base.characteristic
@@ -373,7 +375,7 @@ def _check_irreducible(base: Any, variable: str, f: list[Quotient], what: str) -
     )
 
 
-def _factors(base: Any, variable: str, f: list[Quotient]) -> list[tuple[Any, int]]:
+def _factors(base: Any, variable: str, f: list[RationalFunction]) -> list[tuple[Any, int]]:
     """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
     several = isinstance(base, RationalFunctions)
     names = base.variables if several else (base.gen_name,)

@@ -22,7 +22,7 @@ from hfield.fields.function_fields.symbols import ramified_places_functions
 from hfield.fields.quadratic_forms.normal_forms import normal_form
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 TRIALS = 100_000
@@ -31,7 +31,7 @@ TRIALS = 100_000
 
 def from_ramification_functions(
     field: FunctionField, named: Sequence[object]
-) -> tuple[Quotient, Quotient, Quotient]:
+) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
     """Return (a, b, t) of an algebra that ramifies exactly at the places named, t = 1 in characteristic 2.
 
     Raises :class:`RingError` unless they are different and even in number, and :class:`UndecidedError` where
@@ -70,13 +70,13 @@ def from_ramification_functions(
     )
 
 
-def _nonsquare(field: FunctionField) -> Quotient:
+def _nonsquare(field: FunctionField) -> RationalFunction:
     """Return a constant that is not a square, q being odd."""
     k = field.base
     return field.constant(next(c for c in k.elements() if k.sqrt(c) is None))
 
 
-def _candidates(field: FunctionField) -> Iterator[Quotient]:
+def _candidates(field: FunctionField) -> Iterator[RationalFunction]:
     """Yield some constants, of which one is right if a constant is, and all polynomials by degree."""
     k: Any = field.base
     if field.characteristic == 2:  # one element of a basis over GF(2) has trace 1

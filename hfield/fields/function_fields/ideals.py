@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from flint import fq_default_poly
 
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 
@@ -35,18 +35,18 @@ class PolynomialIntegers:
             below = shared(ExtensionField, k.characteristic, 1)
             self.field = type(ring)(below, str(ring.gen_name))
 
-    def inside(self, x: Any) -> Quotient:
+    def inside(self, x: Any) -> RationalFunction:
         """Return an element of ``ring``, or what it reads, as one of ``field``."""
         if getattr(x, "field", None) is self.field:
             return x  # type: ignore[no-any-return]
         found = self.ring(x)
         return found if self.field is self.ring else self._converted(found, self.field)
 
-    def outside(self, x: Quotient) -> Quotient:
+    def outside(self, x: RationalFunction) -> RationalFunction:
         """Return an element of ``field`` as one of ``ring``."""
         return x if self.field is self.ring else self._converted(x, self.ring)
 
-    def _converted(self, x: Quotient, target: FunctionField) -> Quotient:
+    def _converted(self, x: RationalFunction, target: FunctionField) -> RationalFunction:
         source: Any = x.field
         k = target.base
         parts = (
@@ -56,12 +56,12 @@ class PolynomialIntegers:
         num, den = (sum_of_powers(target, found) for found in parts)
         return target.quotient(num, den)
 
-    def ideal(self, x: object) -> PolynomialIdeal:
+    def ideal(self, x: object) -> FunctionFieldIdeal:
         """Return the ideal of a polynomial, a fraction, a text, a prime or generators.
 
         Raises :class:`CoercionError` for anything else, and for 0.
         """
-        if isinstance(x, PolynomialIdeal):
+        if isinstance(x, FunctionFieldIdeal):
             if x.integers.ring == self.ring:
                 return x
             raise CoercionError(f"{x} is an ideal over {x.integers.ring}, not over {self.ring}")
@@ -84,9 +84,9 @@ class PolynomialIntegers:
             raise CoercionError("the zero ideal is not allowed: give a nonzero generator")
         return self.principal(value)
 
-    def principal(self, x: Quotient) -> PolynomialIdeal:
+    def principal(self, x: RationalFunction) -> FunctionFieldIdeal:
         """Return the ideal of an element of ``field`` that is not 0."""
-        return PolynomialIdeal(self, self.field.quotient(x.num.monic(), x.den))
+        return FunctionFieldIdeal(self, self.field.quotient(x.num.monic(), x.den))
 
     @property
     def text(self) -> str:
@@ -108,7 +108,7 @@ def polynomial_integers(ring: FunctionField) -> PolynomialIntegers:
     return PolynomialIntegers(ring)
 
 
-class PolynomialIdeal:
+class FunctionFieldIdeal:
     """A fractional ideal of GF(q)[t], with the names that ideals of number fields have.
 
     >>> from hfield import QuaternionAlgebra
@@ -117,7 +117,7 @@ class PolynomialIdeal:
     (ideal(t^2+1), t^2+1, 9, True)
     """
 
-    def __init__(self, integers: PolynomialIntegers, x: Quotient) -> None:
+    def __init__(self, integers: PolynomialIntegers, x: RationalFunction) -> None:
         self.integers, self.x = integers, x
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -129,12 +129,12 @@ class PolynomialIdeal:
         return self.integers.ring
 
     @property
-    def generator(self) -> Quotient:
+    def generator(self) -> RationalFunction:
         """The monic generator, an element of the field."""
         return self.integers.outside(self.x)
 
     @property
-    def generators(self) -> tuple[Quotient, ...]:
+    def generators(self) -> tuple[RationalFunction, ...]:
         """The monic generator alone."""
         return (self.generator,)
 
@@ -148,27 +148,27 @@ class PolynomialIdeal:
         """The generator of an integral ideal as a polynomial."""
         return self.x.num
 
-    def _other(self, x: object) -> PolynomialIdeal | None:
+    def _other(self, x: object) -> FunctionFieldIdeal | None:
         try:
             return self.integers.ideal(x)
         except HFieldError:
             return None
 
-    def __mul__(self, other: object) -> PolynomialIdeal:
+    def __mul__(self, other: object) -> FunctionFieldIdeal:
         o = self._other(other)
-        return NotImplemented if o is None else PolynomialIdeal(self.integers, self.x * o.x)
+        return NotImplemented if o is None else FunctionFieldIdeal(self.integers, self.x * o.x)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: object) -> PolynomialIdeal:
+    def __truediv__(self, other: object) -> FunctionFieldIdeal:
         o = self._other(other)
-        return NotImplemented if o is None else PolynomialIdeal(self.integers, self.x / o.x)
+        return NotImplemented if o is None else FunctionFieldIdeal(self.integers, self.x / o.x)
 
-    def __rtruediv__(self, other: object) -> PolynomialIdeal:
+    def __rtruediv__(self, other: object) -> FunctionFieldIdeal:
         o = self._other(other)
         return NotImplemented if o is None else o / self
 
-    def __add__(self, other: object) -> PolynomialIdeal:
+    def __add__(self, other: object) -> FunctionFieldIdeal:
         """Return the sum, which the greatest common divisor generates."""
         o = self._other(other)
         if o is None:
@@ -179,15 +179,15 @@ class PolynomialIdeal:
 
     __radd__ = __add__
 
-    def __and__(self, other: object) -> PolynomialIdeal:
+    def __and__(self, other: object) -> FunctionFieldIdeal:
         """Return the intersection."""
         o = self._other(other)
         return NotImplemented if o is None else self * o / (self + o)
 
-    def __pow__(self, n: int) -> PolynomialIdeal:
-        return PolynomialIdeal(self.integers, self.x**n)
+    def __pow__(self, n: int) -> FunctionFieldIdeal:
+        return FunctionFieldIdeal(self.integers, self.x**n)
 
-    def inverse(self) -> PolynomialIdeal:
+    def inverse(self) -> FunctionFieldIdeal:
         """Return the inverse."""
         return self**-1
 
@@ -226,12 +226,12 @@ class PolynomialIdeal:
         """Return the exponent of a prime ideal."""
         return valuation(self.x, self.integers.ideal(prime).polynomial)
 
-    def factorisation(self) -> tuple[tuple[PolynomialIdeal, int], ...]:
+    def factorisation(self) -> tuple[tuple[FunctionFieldIdeal, int], ...]:
         """Return the prime ideals with their exponents, by degree, then by coefficients."""
         field = self.integers.field
         found = [
             (
-                PolynomialIdeal(self.integers, field.quotient(p.monic(), field.one.num)),
+                FunctionFieldIdeal(self.integers, field.quotient(p.monic(), field.one.num)),
                 sign * int(e),
             )
             for sign, part in ((1, self.x.num), (-1, self.x.den))
@@ -257,27 +257,27 @@ class PolynomialIdeal:
     __repr__ = __str__
 
 
-def _restored(ring: FunctionField, x: Quotient) -> PolynomialIdeal:
+def _restored(ring: FunctionField, x: RationalFunction) -> FunctionFieldIdeal:
     return polynomial_integers(ring).ideal(x)
 
 
-class PrimePolynomial(ResidueField):
+class PolynomialResidueField(ResidueField):
     """The residue field of a prime ideal; it is the prime field of the theory of orders over GF(q)[t]."""
 
     index = 1
 
-    def __init__(self, prime: PolynomialIdeal) -> None:
+    def __init__(self, prime: FunctionFieldIdeal) -> None:
         super().__init__(prime.integers.field, prime.polynomial)
         self.below = prime.polynomial
 
 
 @lru_cache(maxsize=256)
-def residue_field(prime: PolynomialIdeal) -> PrimePolynomial:
+def residue_field(prime: FunctionFieldIdeal) -> PolynomialResidueField:
     """Return the residue field of a prime ideal."""
-    return PrimePolynomial(prime)
+    return PolynomialResidueField(prime)
 
 
-def prime_ideal(integers: PolynomialIntegers, x: object) -> PolynomialIdeal:
+def prime_ideal(integers: PolynomialIntegers, x: object) -> FunctionFieldIdeal:
     """Return what a user gives as a prime. Raises :class:`RingError` for what is none."""
     found = integers.ideal(x)
     if not found.is_prime():

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
 
-class Quotient(Element):
+class RationalFunction(Element):
     """An immutable rational function: two flint polynomials in lowest terms, ``den`` monic."""
 
     __slots__ = ("den", "num")
@@ -33,32 +33,32 @@ class Quotient(Element):
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
 
-    def plus(self, other: Quotient) -> Quotient:
+    def plus(self, other: RationalFunction) -> RationalFunction:
         """Return the sum."""
         if self.den == other.den:
             if self.field.is_one(self.den):
-                return Quotient(self.field, self.num + other.num, self.den)
+                return RationalFunction(self.field, self.num + other.num, self.den)
             return self.quotient(self.num + other.num, self.den)
         # What can cancel divides what the denominators have in common (Henrici, J. ACM 3, 1956).
         common = self.den.gcd(other.den)
         if self.field.is_one(common):
             num = self.num * other.den + other.num * self.den
-            return Quotient(self.field, num, self.den * other.den)
+            return RationalFunction(self.field, num, self.den * other.den)
         rest = self.den // common
         num = self.num * (other.den // common) + other.num * rest
         num, den = self._cancelled(num, common)
-        return Quotient(self.field, num, rest * (other.den // common) * den)
+        return RationalFunction(self.field, num, rest * (other.den // common) * den)
 
-    def __neg__(self) -> Quotient:
-        return Quotient(self.field, -self.num, self.den)
+    def __neg__(self) -> RationalFunction:
+        return RationalFunction(self.field, -self.num, self.den)
 
-    def times(self, other: Quotient) -> Quotient:
+    def times(self, other: RationalFunction) -> RationalFunction:
         """Return the product."""
         if self.field.is_one(self.den) and self.field.is_one(other.den):
-            return Quotient(self.field, self.num * other.num, self.den)
+            return RationalFunction(self.field, self.num * other.num, self.den)
         first, below = self._cancelled(self.num, other.den)
         second, den = self._cancelled(other.num, self.den)
-        return Quotient(self.field, first * second, below * den)
+        return RationalFunction(self.field, first * second, below * den)
 
     def _cancelled(self, num: Any, den: Any) -> tuple[Any, Any]:
         """Return num and den, which is monic, without what they have in common."""
@@ -67,20 +67,20 @@ class Quotient(Element):
         common = num.gcd(den)
         return (num, den) if self.field.is_one(common) else (num // common, den // common)
 
-    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
+    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> RationalFunction:
         """Return num/den in lowest terms."""
         return self.field.quotient(num, den)
 
-    def __pow__(self, n: int) -> Quotient:
+    def __pow__(self, n: int) -> RationalFunction:
         base = self if n >= 0 else self.field.inverse(self)
         one = self.field.one.num
         num, den = (polynomial_power(one, x, abs(n)) for x in (base.num, base.den))
-        return Quotient(self.field, num, den)
+        return RationalFunction(self.field, num, den)
 
     def __bool__(self) -> bool:
         return bool(self.num != 0)
 
-    def same(self, other: Quotient) -> bool:
+    def same(self, other: RationalFunction) -> bool:
         """Tell whether both are the same function."""
         return bool(self.num == other.num and self.den == other.den)
 
@@ -93,7 +93,7 @@ def _terms(x: Any) -> dict[tuple[int, ...], Any]:
     return {(n,): c for n, c in enumerate(x.coeffs()) if c != 0}
 
 
-class FractionField(Overfield[Quotient]):
+class FractionField(Overfield[RationalFunction]):
     """The fractions of polynomials over ``base``, in one variable or several; ``_one`` is their 1."""
 
     base: Ring
@@ -101,10 +101,10 @@ class FractionField(Overfield[Quotient]):
     _one: AnyPolynomial
 
     @abstractmethod
-    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> Quotient:
+    def quotient(self, num: AnyPolynomial, den: AnyPolynomial) -> RationalFunction:
         """Return num/den in lowest terms; den is not 0."""
 
-    def product_of(self, polynomials: Iterable[AnyPolynomial | None]) -> Quotient:
+    def product_of(self, polynomials: Iterable[AnyPolynomial | None]) -> RationalFunction:
         """Return the product of the polynomials among what stands for places."""
         product = prod((p for p in polynomials if p is not None), start=self._one)
         return self.quotient(product, self._one)
@@ -113,25 +113,27 @@ class FractionField(Overfield[Quotient]):
         """Tell whether a polynomial is 1."""
         return bool(poly == self._one)
 
-    def is_zero(self, x: Quotient) -> bool:
+    def is_zero(self, x: RationalFunction) -> bool:
         """Tell whether x is 0."""
         return bool(x.num == 0)
 
-    def equal(self, x: Quotient, y: Quotient) -> bool:
+    def equal(self, x: RationalFunction, y: RationalFunction) -> bool:
         """Tell whether x = y."""
         return bool(x == y)
 
-    def inverse(self, x: Quotient) -> Quotient:
+    def inverse(self, x: RationalFunction) -> RationalFunction:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
         if x.num == 0:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         return self.quotient(x.den, x.num)
 
-    def power(self, x: Quotient, n: int) -> Quotient:
+    def power(self, x: RationalFunction, n: int) -> RationalFunction:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
 
-    def irreducible_factors(self, coefficients: Sequence[Quotient]) -> list[list[Quotient]]:
+    def irreducible_factors(
+        self, coefficients: Sequence[RationalFunction]
+    ) -> list[list[RationalFunction]]:
         """Return the monic irreducible factors of a polynomial that is not 0, each once.
 
         Over k = QQ and GF(p) by those of a polynomial in one variable more (Gauss's lemma); over others as
@@ -155,7 +157,7 @@ class FractionField(Overfield[Quotient]):
         gens = [named[name] for name in self.variables]
         out = []
         for factor, _ in whole.factor()[1]:
-            found: list[Quotient] = []
+            found: list[RationalFunction] = []
             for (*exponents, n), x in sorted(
                 factor.to_dict().items(), key=lambda term: term[0][-1]
             ):
@@ -185,11 +187,11 @@ class FractionField(Overfield[Quotient]):
         target: Ring,
         images: Mapping[str, Any],
         below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[Quotient], Any]:
+    ) -> Callable[[RationalFunction], Any]:
         """Return the homomorphism that maps the variables to these images, where there is no pole."""
         polynomial = self.polynomial_evaluation(target, images, below)
 
-        def value(x: Quotient) -> Any:
+        def value(x: RationalFunction) -> Any:
             if self.is_one(x.den):
                 return polynomial(x.num)
             return value_of_fraction(self, x, target, polynomial(x.num), polynomial(x.den))
@@ -200,7 +202,7 @@ class FractionField(Overfield[Quotient]):
     def partial(self, poly: Any, variable: str) -> Any:
         """Return the derivative of a numerator or denominator by a variable."""
 
-    def derivative(self, x: Quotient, variable: str) -> Quotient:
+    def derivative(self, x: RationalFunction, variable: str) -> RationalFunction:
         """Return the partial derivative, by the quotient rule."""
         if variable not in self.variables:
             return super().derivative(x, variable)
@@ -218,7 +220,7 @@ class FractionField(Overfield[Quotient]):
         shown = f"it is the level of {self.base.name}, for −1 is as many squares in {' as '.join(there)}"
         return Fact(known.value, f"{shown}; there {known.reason}")
 
-    def minus_one_as_squares(self) -> tuple[Quotient, ...]:
+    def minus_one_as_squares(self) -> tuple[RationalFunction, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self(c) for c in self.base.minus_one_as_squares())
 

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
     from hfield.fields.base.flint_types import Polynomial, SparsePolynomial
     from hfield.fields.function_fields.places import FunctionPlace
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 
-def valuation(x: Quotient, p: Polynomial) -> int:
+def valuation(x: RationalFunction, p: Polynomial) -> int:
     """Return the order of a nonzero rational function at the irreducible polynomial p."""
     return multiplicity(x.num, p) if x.num % p == 0 else -multiplicity(x.den, p)
 
@@ -80,7 +80,7 @@ class ResidueField:
         """Return the order of a nonzero rational function at π."""
         return valuation(x, self.modulus)
 
-    def leading(self, x: Quotient) -> tuple[int, Polynomial]:
+    def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
         """Return the order of x ≠ 0, and the class of x over that power of the uniformiser."""
         n = self.valuation(x)
         return n, self.reduce(x * self.uniformiser**-n if n else x)
@@ -246,20 +246,20 @@ class AtInfinity(ResidueField):
         """The variable t."""
         return super().uniformiser
 
-    def valuation(self, x: Quotient) -> int:
+    def valuation(self, x: RationalFunction) -> int:
         """Return the degree of the denominator less that of the numerator."""
         return int(x.den.degree()) - int(x.num.degree())
 
-    def reduce(self, x: Quotient) -> Polynomial:
+    def reduce(self, x: RationalFunction) -> Polynomial:
         """Return the value at infinity of a rational function without pole there."""
         return self.zero if x.num == 0 or self.valuation(x) > 0 else self.leading(x)[1]
 
-    def leading(self, x: Quotient) -> tuple[int, Polynomial]:
+    def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
         """Return the order of x ≠ 0, and the first coefficient of x as a series in 1/t."""
         lead = self.field.base_element(x.num.leading_coefficient())
         return self.valuation(x), self.scalar(lead)
 
-    def truncated(self, x: Quotient, n: int) -> Quotient:
+    def truncated(self, x: RationalFunction, n: int) -> RationalFunction:
         """Return the sum of the terms of x, a series in 1/t, before (1/t)ⁿ."""
         t = self.field.gen.num
         up, down = t ** max(n - 1, 0), t ** max(1 - n, 0)

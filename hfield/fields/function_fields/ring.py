@@ -1,6 +1,6 @@
 """Fields of rational functions in one variable over QQ and over finite fields, on flint's polynomials.
 
-flint has polynomials over these fields but no fractions of them; :class:`Quotient` adds those, in
+flint has polynomials over these fields but no fractions of them; :class:`RationalFunction` adds those, in
 lowest terms with monic denominator, so that equal functions have equal parts.
 """
 
@@ -24,7 +24,7 @@ from hfield.fields.base.roots import common_divisor, horner, monic, multiplied, 
 from hfield.fields.base.storage.base import Storage
 from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.finite.ring import ExtensionField, PrimeField
-from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
+from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
 from hfield.fields.function_fields.storage import FunctionStorage
 from hfield.fields.rationals.ring import QQ
 
@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.fields.base.flint_types import Coefficient, Polynomial
-    from hfield.fields.function_fields.ideals import PolynomialIdeal
+    from hfield.fields.function_fields.ideals import FunctionFieldIdeal
 
 
-__all__ = ["FunctionField", "Quotient"]
+__all__ = ["FunctionField", "RationalFunction"]
 
 # python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
 # that holds both, the context may go first, and the process dies. So contexts live for ever, and
@@ -68,7 +68,7 @@ class FunctionField(FractionField):
         self.characteristic = base.characteristic
         self._polynomial = _polynomials_over(base)
         self._one = self._polynomial([base.one])
-        self._gen = Quotient(self, self._polynomial([base.zero, base.one]), self._one)
+        self._gen = RationalFunction(self, self._polynomial([base.zero, base.one]), self._one)
 
     def __reduce__(self) -> tuple[object, ...]:
         return shared, (type(self), self.base, self.gen_name)
@@ -83,33 +83,33 @@ class FunctionField(FractionField):
         return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Quotient:
+    def gen(self) -> RationalFunction:
         """The variable."""
         return self._gen
 
     @property
-    def variable(self) -> Quotient:
+    def variable(self) -> RationalFunction:
         """The variable of the polynomials: of functions on a circle, the tangent of half the angle."""
         return self._gen
 
-    def names(self) -> dict[str, Quotient]:
+    def names(self) -> dict[str, RationalFunction]:
         """The variable and the generator of the base field."""
         return {**self.base_names(), self.gen_name or "": self._gen}
 
-    def base_names(self) -> dict[str, Quotient]:
+    def base_names(self) -> dict[str, RationalFunction]:
         """Return the names of the base field, as constants."""
         return {name: self.constant(x) for name, x in self.base.names().items()}
 
-    def constant(self, c: Coefficient) -> Quotient:
+    def constant(self, c: Coefficient) -> RationalFunction:
         """Return the constant function of an element of the base field."""
-        return Quotient(self, self._polynomial([c]), self._one)
+        return RationalFunction(self, self._polynomial([c]), self._one)
 
     @property
     def constants(self) -> Ring:
         """The field below."""
         return self.base
 
-    def as_constant(self, x: Quotient) -> Coefficient | None:
+    def as_constant(self, x: RationalFunction) -> Coefficient | None:
         """Return the element of the field below that x is, or None."""
         if x.num.degree() > 0 or x.den.degree() > 0:
             return None
@@ -123,7 +123,7 @@ class FunctionField(FractionField):
             return {}
         raise CoercionError(f"{self} does not map into {target}, which has no variable {variable}")
 
-    def quotient(self, num: Polynomial, den: Polynomial) -> Quotient:
+    def quotient(self, num: Polynomial, den: Polynomial) -> RationalFunction:
         """Return num/den in lowest terms; den is not 0."""
         common = num.gcd(den)
         if not self.is_one(common):
@@ -132,13 +132,15 @@ class FunctionField(FractionField):
         if lead != 1:
             scale = self._polynomial([self.base.inverse(self.base_element(lead))])
             num, den = num * scale, den * scale
-        return Quotient(self, num, den)
+        return RationalFunction(self, num, den)
 
     def base_element(self, c: Coefficient) -> Coefficient:
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
 
-    def irreducible_factors(self, coefficients: Sequence[Quotient]) -> list[list[Quotient]]:
+    def irreducible_factors(
+        self, coefficients: Sequence[RationalFunction]
+    ) -> list[list[RationalFunction]]:
         """Return the monic irreducible factors of a polynomial that is not 0, each once.
 
         Over GF(q)(t), q no prime, by the norm to GF(p)(t) of f(x − s·α), α the generator and s = 0, 1, t, …
@@ -170,27 +172,30 @@ class FunctionField(FractionField):
         return c**self.characteristic
 
     def _by_constants(
-        self, x: Quotient, target: FunctionField, change: Callable[[Coefficient], Coefficient]
-    ) -> Quotient:
+        self,
+        x: RationalFunction,
+        target: FunctionField,
+        change: Callable[[Coefficient], Coefficient],
+    ) -> RationalFunction:
         """Return x with its coefficients changed, as a function of another field."""
         num, den = (target._polynomial([change(c) for c in p.coeffs()]) for p in (x.num, x.den))
-        return Quotient(target, num, den)
+        return RationalFunction(target, num, den)
 
-    def from_below(self, x: object) -> Quotient:
+    def from_below(self, x: object) -> RationalFunction:
         """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
         return self.constant(self.base(x))
 
-    def closed_form(self, x: sympy.Expr) -> Quotient:
+    def closed_form(self, x: sympy.Expr) -> RationalFunction:
         """Return a number as a constant."""
         return self.constant(self.base.closed_form(x))
 
-    def key(self, x: Quotient) -> Hashable:
+    def key(self, x: RationalFunction) -> Hashable:
         """Return the coefficients of numerator and denominator."""
         return tuple(
             tuple(self.base.key(self.base_element(c)) for c in p.coeffs()) for p in (x.num, x.den)
         )
 
-    def sqrt(self, x: Quotient) -> Quotient | None:
+    def sqrt(self, x: RationalFunction) -> RationalFunction | None:
         """Return some y with y² = x, or None: numerator, denominator and constant must be squares."""
         if self.is_zero(x):
             return x
@@ -213,13 +218,13 @@ class FunctionField(FractionField):
             return super().orderings
         return Fact(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
 
-    def sign(self, x: Quotient, ordering: int = 0) -> int:
+    def sign(self, x: RationalFunction, ordering: int = 0) -> int:
         """Return the sign of x in the ordering in which the variable is infinitely large."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return 0 if x.num == 0 else self.base.sign(x.num.leading_coefficient())
 
-    def random(self, rng: Random) -> Quotient:
+    def random(self, rng: Random) -> RationalFunction:
         """Return a random fraction of polynomials of degree at most 2; the same for the same seed."""
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
@@ -229,7 +234,7 @@ class FunctionField(FractionField):
 
         return FunctionStorage(self, constants)
 
-    def ideal(self, x: object) -> PolynomialIdeal:
+    def ideal(self, x: object) -> FunctionFieldIdeal:
         """Return an ideal of GF(q)[t], given by a polynomial, a fraction, a prime, or several of them.
 
         Raises :class:`CoercionError` for anything else, and where the constants are no finite field.
@@ -269,11 +274,11 @@ class FunctionField(FractionField):
         """Return the derivative of a polynomial."""
         return poly.derivative()
 
-    def variables_in(self, x: Quotient) -> set[str]:
+    def variables_in(self, x: RationalFunction) -> set[str]:
         """Return the variable, unless x is constant."""
         return set() if self.as_constant(x) is not None else {*self.variables}
 
-    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+    def to_sympy(self, x: RationalFunction, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the fraction as an expression, numerator and denominator multiplied out."""
         gen = symbol(self.gen_name or "", symbols)
 
@@ -283,7 +288,7 @@ class FunctionField(FractionField):
 
         return expression(x.num) / expression(x.den)
 
-    def text(self, x: Quotient, style: str = "plain") -> str:
+    def text(self, x: RationalFunction, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""
         return quotient_text(self._sum(x.num, style), self._sum(x.den, style), style)
 

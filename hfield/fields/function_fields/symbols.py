@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     import flint
 
     from hfield.fields.base.flint_types import Coefficient, Polynomial
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
-def _poles_and_zeros(field: FunctionField, *elements: Quotient) -> list[FunctionPlace]:
+def _poles_and_zeros(field: FunctionField, *elements: RationalFunction) -> list[FunctionPlace]:
     """Return the places at which some elements have zeros and poles, by degree, and infinity."""
     parts = (poly for x in elements for poly in (x.num, x.den))
     finite = sorted(prime_divisors(field, parts), key=lambda v: (v.degree, str(v)))
@@ -43,7 +43,9 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
     return 1 if kappa.is_square(residue) else -1
 
 
-def tame_residue(a: Quotient, b: Quotient, place: FunctionPlace) -> tuple[ResidueField, Polynomial]:
+def tame_residue(
+    a: RationalFunction, b: RationalFunction, place: FunctionPlace
+) -> tuple[ResidueField, Polynomial]:
     """Return the residue field and the tame residue of (a, b) at a place."""
     kappa = residues_at(place)
     (v, x), (w, y) = kappa.leading(a), kappa.leading(b)
@@ -51,7 +53,9 @@ def tame_residue(a: Quotient, b: Quotient, place: FunctionPlace) -> tuple[Residu
     return kappa, kappa.zero - value if v % 2 and w % 2 else value
 
 
-def _invariant(field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace) -> int:
+def _invariant(
+    field: FunctionField, a: RationalFunction, b: RationalFunction, place: FunctionPlace
+) -> int:
     """Return the trace to GF(2) of the residue of ``a·db/b``: 1 where [a, b) ramifies."""
     n, m = b.num, b.den
     differential = a * field.quotient(n.derivative() * m + n * m.derivative(), n * m)
@@ -69,7 +73,7 @@ def _invariant(field: FunctionField, a: Quotient, b: Quotient, place: FunctionPl
     return _trace_to_prime(field, _coefficient_of_inverse(field, part))
 
 
-def _coefficient_of_inverse(field: FunctionField, x: Quotient) -> Coefficient:
+def _coefficient_of_inverse(field: FunctionField, x: RationalFunction) -> Coefficient:
     """Return the coefficient of 1/t in the expansion at infinity: the sum of all finite residues."""
     rest = x.num % x.den
     return field.base(rest[int(x.den.degree()) - 1]) if rest != 0 else field.base.zero
@@ -126,5 +130,5 @@ def _same_at_a_point(field: FunctionField, form: NormalForm, other: NormalForm) 
     raise AssertionError("all but finitely many points are good")
 
 
-def _at(x: Quotient, point: flint.fmpq) -> flint.fmpq:
+def _at(x: RationalFunction, point: flint.fmpq) -> flint.fmpq:
     return x.num(point) / x.den(point)

@@ -30,7 +30,7 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import is_isotropic
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 TRIALS = 150
@@ -38,8 +38,8 @@ PATTERNS = 12
 
 
 def traceless_root_functions(
-    field: FunctionField, form: NormalForm, s: Quotient
-) -> tuple[Quotient, Quotient, Quotient] | None:
+    field: FunctionField, form: NormalForm, s: RationalFunction
+) -> tuple[RationalFunction, RationalFunction, RationalFunction] | None:
     """Return (X, Y, Z) with ``(X·i + Y·j + Z·k)² = s``, or None.
 
     The algebra is a division algebra, and s no square. Raises :class:`UndecidedError`.
@@ -61,11 +61,13 @@ def traceless_root_functions(
     return x, y, z
 
 
-def _is_constant(x: Quotient) -> bool:
+def _is_constant(x: RationalFunction) -> bool:
     return bool(x.num.degree() <= 0 and x.den.degree() <= 0)
 
 
-def _squarefree(field: FunctionField, s: Quotient) -> tuple[Quotient, Quotient]:
+def _squarefree(
+    field: FunctionField, s: RationalFunction
+) -> tuple[RationalFunction, RationalFunction]:
     """Return (r, f) with ``s = r²·f`` and f a squarefree polynomial."""
     one = field.one.num
     poly = s.num * s.den
@@ -82,7 +84,9 @@ def _squarefree(field: FunctionField, s: Quotient) -> tuple[Quotient, Quotient]:
 # --- obstructions ---------------------------------------------------------------------------------
 
 
-def _obstruction(field: FunctionField, form: NormalForm, f: Quotient) -> FunctionPlace | None:
+def _obstruction(
+    field: FunctionField, form: NormalForm, f: RationalFunction
+) -> FunctionPlace | None:
     """Return a place over whose completion no element of trace 0 has the square f, if one is found."""
     a, b = form.constants
     coefficients = [a, b, field.zero - a * b, field.zero - f]
@@ -108,7 +112,7 @@ def _points(field: FunctionField, count: int) -> Iterator[FunctionPlace]:
             yield FunctionPlace(field, (field.gen - field(c)).num)
 
 
-def _isotropic_at(coefficients: list[Quotient], point: FunctionPlace) -> bool:
+def _isotropic_at(coefficients: list[RationalFunction], point: FunctionPlace) -> bool:
     """Tell whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
     at = residues_at(point)
     parts: tuple[list[Any], list[Any]] = [], []
@@ -122,8 +126,8 @@ def _isotropic_at(coefficients: list[Quotient], point: FunctionPlace) -> bool:
 
 
 def _quadratic(
-    field: FunctionField, a: Quotient, b: Quotient, f: Quotient
-) -> tuple[Quotient, ...] | None:
+    field: FunctionField, a: RationalFunction, b: RationalFunction, f: RationalFunction
+) -> tuple[RationalFunction, ...] | None:
     """Answer for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
     if f.num.degree() > 2:
         return None
@@ -146,8 +150,8 @@ def _quadratic(
 
 
 def _searched(
-    field: FunctionField, a: Quotient, b: Quotient, f: Quotient
-) -> tuple[Quotient, Quotient, Quotient] | None:
+    field: FunctionField, a: RationalFunction, b: RationalFunction, f: RationalFunction
+) -> tuple[RationalFunction, RationalFunction, RationalFunction] | None:
     """Try small coordinates X of i, j or k, and solve ``f − p·X² = q·(Y² − p·Z²)`` for the others."""
     o = field.zero
     for u in itertools.islice(_candidates(field, f), TRIALS):
@@ -168,7 +172,7 @@ def _searched(
     return None
 
 
-def _candidates(field: FunctionField, f: Quotient) -> Iterator[Quotient]:
+def _candidates(field: FunctionField, f: RationalFunction) -> Iterator[RationalFunction]:
     """Run through polynomials with small coefficients of at most half the degree of f, simple ones first."""
     size = max(1, int(f.num.degree()) // 2) + 1
     for bound in (0, 1, 2, 3):
@@ -181,7 +185,7 @@ def _candidates(field: FunctionField, f: Quotient) -> Iterator[Quotient]:
                 yield total
 
 
-def _may_be_norm(field: FunctionField, p: Quotient, rest: Quotient) -> bool:
+def _may_be_norm(field: FunctionField, p: RationalFunction, rest: RationalFunction) -> bool:
     """Tell whether some rational points do not forbid that rest is a norm from the field of √p."""
     form = [field.one, field.zero - p, field.zero - rest]
     return all(_isotropic_at(form, c) for c in (FunctionPlace(field), *_points(field, 3)))

@@ -16,7 +16,7 @@ from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.several_variables.places import (
     PolynomialPlace,
-    Residue,
+    ResidueFieldElement,
     places_of,
     residue,
     unit_part,
@@ -27,7 +27,7 @@ from hfield.fields.several_variables.ring import RationalFunctions
 if TYPE_CHECKING:
     import flint
 
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 POINTS = 12  # as many values of each variable are tried for a point where nothing vanishes
@@ -97,7 +97,7 @@ class SeveralArithmetic(GlobalField):
         r = self._tame(form, place)
         return r is None or r.is_square()
 
-    def _tame(self, form: NormalForm, place: PolynomialPlace) -> Residue | None:
+    def _tame(self, form: NormalForm, place: PolynomialPlace) -> ResidueFieldElement | None:
         """Return the residue (−1)^{vw}·a^w/b^v up to squares, None where v and w are even."""
         F = self.ring
         v, w = (valuation(F, x, place) for x in form.constants)
@@ -142,12 +142,12 @@ class SeveralArithmetic(GlobalField):
             )
         return f"{why}; the algebra is ramified at {', '.join(map(str, places))}"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> Quotient:
+    def discriminant(self, ramified: tuple[Any, ...]) -> RationalFunction:
         """Return the product of the polynomials."""
         return self.ring.product_of(v.poly for v in ramified)
 
     def residue_forms(
-        self, form: Sequence[Quotient]
+        self, form: Sequence[RationalFunction]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
         """Run through the prime polynomials in the coefficients, and infinities."""
         F = self.ring
@@ -185,7 +185,7 @@ class SeveralArithmetic(GlobalField):
             f"no residue shows a division algebra, and no zero of norms over {F} is sought"
         )
 
-    def _at(self, x: Quotient, n: int) -> flint.fmpq:
+    def _at(self, x: RationalFunction, n: int) -> flint.fmpq:
         """Return the value at a point that depends on n, None where it is 0 or has a pole."""
         point = [n + 3 * m + m * m * n for m in range(len(self.ring.variables))]
         over, under = (p(*point) for p in (x.num, x.den))
@@ -201,7 +201,7 @@ class SeveralArithmetic(GlobalField):
         )
 
 
-def _has_odd_degree(x: Quotient) -> bool:
+def _has_odd_degree(x: RationalFunction) -> bool:
     """Tell whether a rational function has a positive odd degree, so that it is no y² + y."""
     n = int(x.num.total_degree()) - int(x.den.total_degree())
     return n > 0 and n % 2 == 1

@@ -18,7 +18,7 @@ from hfield.fields.several_variables.ring import RationalFunctions
 
 if TYPE_CHECKING:
     from hfield.fields.base.flint_types import SparsePolynomial
-    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class PolynomialPlace:
 
 
 @dataclass(frozen=True)
-class Residue:
+class ResidueFieldElement:
     """An element of the residue field at a place, or its norm down to the field given."""
 
     field: Ring
@@ -52,7 +52,7 @@ class Residue:
         return root is not None
 
 
-def places_of(F: RationalFunctions, *elements: Quotient) -> list[PolynomialPlace]:
+def places_of(F: RationalFunctions, *elements: RationalFunction) -> list[PolynomialPlace]:
     """Return the prime polynomials in elements of k(x, y, …), and infinity of each variable."""
     found = {}
     for x in elements:
@@ -65,7 +65,7 @@ def places_of(F: RationalFunctions, *elements: Quotient) -> list[PolynomialPlace
     return finite + [PolynomialPlace(f"1/{name}", None, n) for n, name in enumerate(F.variables)]
 
 
-def valuation(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> int:
+def valuation(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace) -> int:
     """Return the order of a nonzero rational function at a place."""
     if place.infinite is not None:
         over, under = (int(p.degrees()[place.infinite]) for p in (x.num, x.den))
@@ -73,7 +73,7 @@ def valuation(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> int:
     return multiplicity(x.num, place.poly) - multiplicity(x.den, place.poly)
 
 
-def unit_part(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> Any:
+def unit_part(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace) -> Any:
     """Return x times a power of the prime, or of 1/v, without zero or pole at the place."""
     n = valuation(F, x, place)
     if place.infinite is not None:
@@ -81,23 +81,27 @@ def unit_part(F: RationalFunctions, x: Quotient, place: PolynomialPlace) -> Any:
     return x * F.power(F.quotient(place.poly, F.polynomials.one), -n)
 
 
-def residue(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Residue:
+def residue(
+    F: RationalFunctions, unit: RationalFunction, place: PolynomialPlace
+) -> ResidueFieldElement:
     """Return the residue of a unit at a place, or a norm of it. Raises :class:`UndecidedError`."""
     if place.infinite is not None:
         target = _without(F, place.infinite)
         over, under = (_leading(F, p, place.infinite, target) for p in (unit.num, unit.den))
-        return Residue(target, target.divide(over, under))
+        return ResidueFieldElement(target, target.divide(over, under))
     for n in range(len(F.variables)):
         if int(place.poly.degrees()[n]) == 1:
             target = _without(F, n)
             slope, rest = (_coefficient(F, place.poly, n, e, target) for e in (1, 0))
             at = target.zero - target.divide(rest, slope)
             over, under = (_value(F, p, n, at, target) for p in (unit.num, unit.den))
-            return Residue(target, target.divide(over, under))
-    return Residue(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, place)
+            return ResidueFieldElement(target, target.divide(over, under))
+    return ResidueFieldElement(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, place)
 
 
-def _norm(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Residue:
+def _norm(
+    F: RationalFunctions, unit: RationalFunction, place: PolynomialPlace
+) -> ResidueFieldElement:
     """Return the norm of a residue down to the other variables, up to squares, by resultants."""
     degrees = {m: int(e) for m, e in enumerate(place.poly.degrees()) if int(e)}
     n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant tells
@@ -107,7 +111,7 @@ def _norm(F: RationalFunctions, unit: Quotient, place: PolynomialPlace) -> Resid
     for p in (unit.num, unit.den):
         size = _coefficient(F, place.poly.resultant(p, F.variables[n]), n, 0, target)
         total = total * size * (lead if int(p.degrees()[n]) % 2 else target.one)
-    return Residue(target, total, is_norm=True)
+    return ResidueFieldElement(target, total, is_norm=True)
 
 
 def _without(F: RationalFunctions, n: int) -> Ring:
@@ -135,7 +139,9 @@ def _leading(F: RationalFunctions, poly: SparsePolynomial, n: int, target: Ring)
     return _coefficient(F, poly, n, int(poly.degrees()[n]), target)
 
 
-def _value(F: RationalFunctions, poly: SparsePolynomial, n: int, at: Quotient, target: Ring) -> Any:
+def _value(
+    F: RationalFunctions, poly: SparsePolynomial, n: int, at: RationalFunction, target: Ring
+) -> Any:
     """Return the value with an element of the target for the n-th variable."""
     total = target.zero
     for e in range(int(poly.degrees()[n]), -1, -1):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.fields.base.printing import blackboard, quotient_text
 from hfield.fields.base.ring import Fact, Ring, shared
-from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
+from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
 from hfield.fields.polynomial_rings import PolynomialRing
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class RationalFunctions(FractionField):
-    """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`Quotient`.
+    """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`RationalFunction`.
 
     Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
     coefficient 1.
@@ -54,31 +54,31 @@ class RationalFunctions(FractionField):
         return f"rational functions in {listed(self.variables)} over {blackboard(self.base.name)}"
 
     @property
-    def gen(self) -> Quotient:
+    def gen(self) -> RationalFunction:
         """The first variable."""
-        return Quotient(self, self.polynomials.gen, self._one)
+        return RationalFunction(self, self.polynomials.gen, self._one)
 
     @property
     def expanded_in(self) -> tuple[str, ...]:
         """The variables, in which elements have leading terms."""
         return self.variables
 
-    def parts(self, x: Quotient) -> list[Quotient]:
+    def parts(self, x: RationalFunction) -> list[RationalFunction]:
         """Return x itself, of which leading terms are asked."""
         return [x]
 
-    def as_constant(self, x: Quotient) -> Any:
+    def as_constant(self, x: RationalFunction) -> Any:
         """Return the element of k that x is, or None."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return self.polynomials.constant_part(x.num)
 
-    def names(self) -> dict[str, Quotient]:
+    def names(self) -> dict[str, RationalFunction]:
         """The variables."""
         gens = self.polynomials.names()
-        return {name: Quotient(self, x, self._one) for name, x in gens.items()}
+        return {name: RationalFunction(self, x, self._one) for name, x in gens.items()}
 
-    def quotient(self, num: SparsePolynomial, den: SparsePolynomial) -> Quotient:
+    def quotient(self, num: SparsePolynomial, den: SparsePolynomial) -> RationalFunction:
         """Return num/den in lowest terms; den is not 0."""
         common = num.gcd(den)
         if not self.is_one(common):
@@ -87,17 +87,17 @@ class RationalFunctions(FractionField):
         if lead != 1:
             scale = self.polynomials.inverse(self.polynomials.constant(lead))
             num, den = num * scale, den * scale
-        return Quotient(self, num, den)
+        return RationalFunction(self, num, den)
 
-    def from_below(self, x: object) -> Quotient:
+    def from_below(self, x: object) -> RationalFunction:
         """Turn a number, or an element of k or k[x, y, …], into one. Raises :class:`CoercionError`."""
-        return Quotient(self, self.polynomials(x), self._one)
+        return RationalFunction(self, self.polynomials(x), self._one)
 
-    def key(self, x: Quotient) -> Hashable:
+    def key(self, x: RationalFunction) -> Hashable:
         """Return the terms of numerator and denominator."""
         return self.polynomials.key(x.num), self.polynomials.key(x.den)
 
-    def sqrt(self, x: Quotient) -> Quotient | None:
+    def sqrt(self, x: RationalFunction) -> RationalFunction | None:
         """Return some y with y² = x, or None: numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)
@@ -107,13 +107,13 @@ class RationalFunctions(FractionField):
         """Infinitely many over QQ, none over GF(p)."""
         return super().orderings if self.characteristic else self.polynomials.orderings
 
-    def sign(self, x: Quotient, ordering: int = 0) -> int:
+    def sign(self, x: RationalFunction, ordering: int = 0) -> int:
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return self.polynomials.sign(x.num)
 
-    def random(self, rng: Random) -> Quotient:
+    def random(self, rng: Random) -> RationalFunction:
         """Return a random fraction of polynomials of few terms; the same for the same seed."""
         num, den = self.polynomials.random(rng), self.polynomials.random(rng)
         return self.quotient(num, den if den != 0 else self._one)
@@ -131,20 +131,22 @@ class RationalFunctions(FractionField):
         """Return the derivative of a polynomial."""
         return self.polynomials.derivative(poly, variable)
 
-    def closed_form(self, x: sympy.Expr) -> Quotient:
+    def closed_form(self, x: sympy.Expr) -> RationalFunction:
         """Return a number as a constant."""
-        return Quotient(self, self.polynomials.constant(self.base.closed_form(x)), self._one)
+        return RationalFunction(
+            self, self.polynomials.constant(self.base.closed_form(x)), self._one
+        )
 
-    def variables_in(self, x: Quotient) -> set[str]:
+    def variables_in(self, x: RationalFunction) -> set[str]:
         """Return the variables of numerator and denominator."""
         return self.polynomials.variables_in(x.num) | self.polynomials.variables_in(x.den)
 
-    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+    def to_sympy(self, x: RationalFunction, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the fraction as an expression, numerator and denominator multiplied out."""
         num, den = (self.polynomials.to_sympy(p, symbols) for p in (x.num, x.den))
         return num / den
 
-    def text(self, x: Quotient, style: str = "plain") -> str:
+    def text(self, x: RationalFunction, style: str = "plain") -> str:
         """Write x, such as ``(x+y)/(x^2+2)``."""
         return quotient_text(
             self.polynomials.text(x.num, style), self.polynomials.text(x.den, style), style

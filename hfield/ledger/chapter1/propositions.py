@@ -15,7 +15,7 @@ from hfield.ledger.multilinear import (
     short_tuples,
     spoilt_tuples,
 )
-from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
+from hfield.ledger.propositions import Assertion, Equivalence, Every, Implication, Presented
 from hfield.ledger.scopes import Negation, OnlyOver
 
 # Sections 1, 1.1.1 and 1.1.2: the table, its extension to all of H(F), identity, commutativity
@@ -38,7 +38,7 @@ RELATIONS = "i*i == -e and j*j == -e and k*k == -e and (i*j)*k == -e"
 # makes −1 a sum of three squares.
 THREE_SQUARES = Every(
     tuple(
-        Statement(
+        Assertion(
             f"norm(q) == 0 and q[{n}] != 0 => "
             + " + ".join(f"(q[{m}]/q[{n}])**2" for m in range(4) if m != n)
             + " == -1"
@@ -49,17 +49,17 @@ THREE_SQUARES = Every(
 )
 TWO_SQUARES = Every(
     (
-        Statement("s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0"),
-        Statement("s**2 == -1 => norm(e + s*i) == 0"),
-        Statement(
+        Assertion("s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0"),
+        Assertion("s**2 == -1 => norm(e + s*i) == 0"),
+        Assertion(
             "norm(q) == 0 and q[2]**2 + q[3]**2 != 0 => "
             "((q[0]*q[2] + q[1]*q[3])/(q[2]**2 + q[3]**2))**2"
             " + ((q[0]*q[3] - q[1]*q[2])/(q[2]**2 + q[3]**2))**2 == -1"
         ),
-        Statement("q[2]**2 + q[3]**2 == 0 and q[3] != 0 => (q[2]/q[3])**2 == -1"),
-        Statement("q[2]**2 + q[3]**2 == 0 and q[2] != 0 => (q[3]/q[2])**2 == -1"),
-        Statement("norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[1] != 0 => (q[0]/q[1])**2 == -1"),
-        Statement("norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[0] != 0 => (q[1]/q[0])**2 == -1"),
+        Assertion("q[2]**2 + q[3]**2 == 0 and q[3] != 0 => (q[2]/q[3])**2 == -1"),
+        Assertion("q[2]**2 + q[3]**2 == 0 and q[2] != 0 => (q[3]/q[2])**2 == -1"),
+        Assertion("norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[1] != 0 => (q[0]/q[1])**2 == -1"),
+        Assertion("norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[0] != 0 => (q[1]/q[0])**2 == -1"),
     ),
     "every nonzero element of H(F) has an inverse if and only if −1 is not a sum of two squares in F",
 )
@@ -112,7 +112,7 @@ REAL = "Angles are real numbers."
 
 def real(formula: str) -> OnlyOver:
     """Return a statement about angles: it means something over RR only."""
-    return OnlyOver(Statement(formula), ("RR",), REAL, (CIRCLE,))
+    return OnlyOver(Assertion(formula), ("RR",), REAL, (CIRCLE,))
 
 
 # q0 = y and ‖q⃗‖ = z; the angle sought is that of (y, z) or of (−y, z), whichever is not (1, 0).
@@ -131,14 +131,14 @@ COMPUTED = {
     # Sections 1, 1.1.1 and 1.1.2: the table, its extension to all of H(F), identity, commutativity
     "C1.1.2-b": Propositions(
         as_printed=Equivalence(
-            Statement("p*q == q*p"),
-            Statement("2 == 0"),
-            Every((Statement("2 == 0 => p*q == q*p"), Statement("i*j == j*i => 2 == 0"))),
+            Assertion("p*q == q*p"),
+            Assertion("2 == 0"),
+            Every((Assertion("2 == 0 => p*q == q*p"), Assertion("i*j == j*i => 2 == 0"))),
         ),
         spoilt=Equivalence(
-            Statement("p*q == q*p"),
-            Statement("3 == 0"),
-            Every((Statement("3 == 0 => p*q == q*p"), Statement("i*j == j*i => 3 == 0"))),
+            Assertion("p*q == q*p"),
+            Assertion("3 == 0"),
+            Every((Assertion("3 == 0 => p*q == q*p"), Assertion("i*j == j*i => 3 == 0"))),
         ),
     ),
     "C1.1.2-c": Propositions(as_printed=Centre(2), spoilt=Centre(3)),
@@ -171,15 +171,15 @@ COMPUTED = {
     # Section 1.2: Theorem 1, that i² = j² = k² = ijk = −e gives the whole table
     "C1.2-a": Propositions(
         as_printed=Every(
-            (Statement(RELATIONS), Presented((*PRODUCTS, *UNITS), identity=False)),
+            (Assertion(RELATIONS), Presented((*PRODUCTS, *UNITS), identity=False)),
             "in an associative algebra with basis (e,i,j,k), Table 1.1 ⇔ i² = j² = k² = −e = ijk",
         ),
         spoilt=Every(
-            (Statement(RELATIONS), Presented(PRODUCTS)),
+            (Assertion(RELATIONS), Presented(PRODUCTS)),
             "in an associative algebra with identity e, Table 1.1 ⇔ i² = j² = k² = −e = ijk",
         ),
         corrected=Every(
-            (Statement(RELATIONS), Presented(PRODUCTS)),
+            (Assertion(RELATIONS), Presented(PRODUCTS)),
             "in an associative algebra with identity e, Table 1.1 ⇔ i² = j² = k² = −e = ijk",
         ),
     ),
@@ -228,19 +228,19 @@ COMPUTED = {
     "C1.3.1-a": Propositions(as_printed=ModulusDefined()),
     "C1.3.1-d": Propositions(
         as_printed=Negation(IsDivisionAlgebra("N(q) = 0 ⇒ q = 0")),
-        spoilt=Negation(Statement("q == 0 => norm(q) == 0")),
+        spoilt=Negation(Assertion("q == 0 => norm(q) == 0")),
     ),
     "C1.3.1-n": Propositions(as_printed=ModulusLaw("*"), spoilt=ModulusLaw("+")),
     # Section 1.3.1 from Definition 4 on: inverses, zero norms, formally real fields, Theorem 3
     "C1.3.1-s": Propositions(as_printed=PositiveNorm(), spoilt=PositiveNorm(-1)),
     "C1.3.1-w": Propositions(
         as_printed=Implication(
-            Statement("2 == 0"),
-            Statement("exists q: q != 0 and norm(q) == 0"),
-            Every((Statement("2 == 0 => norm(e + i) == 0"), Statement("e + i != 0"))),
+            Assertion("2 == 0"),
+            Assertion("exists q: q != 0 and norm(q) == 0"),
+            Every((Assertion("2 == 0 => norm(e + i) == 0"), Assertion("e + i != 0"))),
         ),
         spoilt=Implication(
-            Statement("2 == 0"), Statement("exists q: q != 0 and norm(q) == 1 and trace(q) == 1")
+            Assertion("2 == 0"), Assertion("exists q: q != 0 and norm(q) == 1 and trace(q) == 1")
         ),
     ),
     "C1.3.1-x": Propositions(
@@ -255,7 +255,7 @@ COMPUTED = {
     # Sections 1.4.1 and 1.4.2: the canonical and the Hamiltonian form
     "C1.4.1-a": Propositions(
         as_printed=Every(
-            (IsBasis(BASIS, 4, "(1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1)"), Statement(TABLE))
+            (IsBasis(BASIS, 4, "(1,0,0,0), (0,1,0,0), (0,0,1,0), (0,0,0,1)"), Assertion(TABLE))
         ),
         spoilt=IsBasis((*BASIS[:3], BASIS[2]), 4, "the list with its third vector twice"),
     ),
@@ -265,7 +265,7 @@ COMPUTED = {
         corrected=IsBasis(BASIS, 4, "{(1,(0,0,0)), (0,(1,0,0)), (0,(0,1,0)), (0,(0,0,1))}"),
     ),
     # Section 1.4.3: quaternions as 2 × 2 matrices over C.
-    "C1.4.3-c": Propositions(as_printed=Statement(table("-")), spoilt=Statement(table(""))),
+    "C1.4.3-c": Propositions(as_printed=Assertion(table("-")), spoilt=Assertion(table(""))),
     # Section 1.4.4: the trigonometric form.
     "C1.4.4-b": Propositions(
         as_printed=real(SQUARES), spoilt=real("y**2 + z**2 == 1 => y != 1 and y**2 + z**2 == 1")

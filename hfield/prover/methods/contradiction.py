@@ -78,7 +78,7 @@ def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refut
     if _is_large(conditions):
         return None
     for prime in _primes(conditions):
-        search = _Search(conditions, rules, clock)
+        search = _ContradictionSearch(conditions, rules, clock)
         try:
             if search.run(search.start(prime), 0):
                 return search.result()
@@ -126,7 +126,7 @@ def _is_large(conditions: Conditions) -> bool:
     return sum(map(len, (*conditions.zeros, *conditions.nonzero))) > MAX_TERMS
 
 
-class _Search:
+class _ContradictionSearch:
     def __init__(self, conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> None:
         self.conditions, self.rules, self.clock = conditions, rules, clock
         self.steps: list[Step] = []
@@ -305,7 +305,7 @@ class _Search:
                 continue
             branches = []
             for g in factors:
-                branch = _Search(self.conditions, self.rules, self.clock)
+                branch = _ContradictionSearch(self.conditions, self.rules, self.clock)
                 below = PolynomialIdeal(
                     len(self.names), ideal.characteristic, ideal.basis.p, self.clock
                 )

@@ -5,7 +5,12 @@ from __future__ import annotations
 from fractions import Fraction
 from html import escape
 
-from hfield.prover.statements.printing import POSTFIX, SHORT_FUNCTIONS, UNICODE_SIGNS, Writer
+from hfield.prover.statements.printing import (
+    POSTFIX,
+    SHORT_FUNCTIONS,
+    UNICODE_SIGNS,
+    PlainTextWriter,
+)
 from hfield.syntax import ORDER, Binary, Node
 
 BREAKABLE = ("<=>", "=>", "or", "and", "==", "!=", *ORDER, "+", "-")
@@ -21,7 +26,7 @@ def to_mathml(node: Node) -> str:
     return " ".join(f"<math>{piece}</math>" for piece in _MathML(node).pieces(node))
 
 
-class _MathML(Writer):
+class _MathML(PlainTextWriter):
     def pieces(self, node: Node, floor: int = -1) -> list[str]:
         """Return what has to stay on one line, in order; each but the first begins with an operator."""
         joined = self.infix(node)

@@ -75,7 +75,7 @@ SHORT_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
 
 def to_text(node: Node) -> str:
     """Write ``node`` in the language itself: ``parse(to_text(node)) == node``."""
-    return Writer(node).write(node)
+    return PlainTextWriter(node).write(node)
 
 
 def to_unicode(node: Node) -> str:
@@ -96,7 +96,7 @@ def _is_product(node: Node) -> TypeGuard[Binary]:
     return isinstance(node, Binary) and node.op == "*"
 
 
-class Writer:
+class PlainTextWriter:
     """The writer of plain text; its sisters override how single things look.
 
     Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
@@ -207,7 +207,7 @@ class Writer:
         return f"exists {', '.join(names)}: {body}"
 
 
-class _Unicode(Writer):
+class _Unicode(PlainTextWriter):
     def operator(self, op: str) -> str:
         return {"neg": "−", "not": "¬"}.get(op) or UNICODE_SIGNS[op]
 
@@ -234,7 +234,7 @@ class _Unicode(Writer):
         return f"∃ {', '.join(names)}: {body}"
 
 
-class _Latex(Writer):
+class _Latex(PlainTextWriter):
     def operator(self, op: str) -> str:
         return {"neg": "-", "not": r"\lnot "}.get(op) or _LATEX[op]
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import UndecidedError
-from hfield.evidence import Certified, Claim
+from hfield.evidence import Certified, CertifiedClaim
 from hfield.fields.base.balls import precision
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_units
@@ -314,11 +314,11 @@ class ClassGroup(Certified):
         return evidence.evidence(self._field.s)
 
     @property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """The class group as a statement with its evidence; there is none for the narrow one."""
         if self.narrow:
             why = "narrow class groups are not certified: ask for class_group()"
-            return Claim("", "class-group", {}, "S-units", ring=self.ring, refusal=why)
+            return CertifiedClaim("", "class-group", {}, "S-units", ring=self.ring, refusal=why)
         orders = ",".join(map(str, self.invariants or (1,)))
         return evidence.claim(self._field.s, self.ring, f"class-group{{{orders}}}")
 
@@ -380,7 +380,7 @@ class UnitGroup(Certified):
         return evidence.evidence(self._field.s)
 
     @property
-    def claim(self) -> Claim:
+    def claim(self) -> CertifiedClaim:
         """The units as a statement with its evidence."""
         texts = [str(self.torsion_order), *map(self.ring.text, self.generators)]
         return evidence.claim(self._field.s, self.ring, f"unit-group{{{'; '.join(texts)}}}")

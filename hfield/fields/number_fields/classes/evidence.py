@@ -16,7 +16,7 @@ from hfield.checker.glossary import (
     ZIMMERT,
 )
 from hfield.core.primality import primes
-from hfield.evidence import Claim
+from hfield.evidence import CertifiedClaim
 from hfield.fields.number_fields.classes import s_units
 from hfield.fields.number_fields.classes.s_units import SUnits
 from hfield.fields.number_fields.integral_basis import coordinate_rows
@@ -97,7 +97,7 @@ def _residues(s: SUnits) -> list[list[int]]:
     return found
 
 
-def claim(s: SUnits, ring: NumberField, statement: str) -> Claim:
+def claim(s: SUnits, ring: NumberField, statement: str) -> CertifiedClaim:
     """Return a statement about a field, with the S-units that show it."""
     algebra = f"(-1,-1|{ring.name})"
-    return Claim(algebra, statement, evidence(s), BY_S_UNITS, assumes=cited(s), ring=ring)
+    return CertifiedClaim(algebra, statement, evidence(s), BY_S_UNITS, assumes=cited(s), ring=ring)
