@@ -36,7 +36,7 @@ def called(function: F) -> F:
     return function
 
 
-class Kernel:
+class CompiledFunction:
     """A function of arrays in one piece, numbers, and tuples of these; it returns a float or nothing."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -69,7 +69,7 @@ class Kernel:
         )
 
 
-kernel = Kernel
+kernel = CompiledFunction
 _C = {"pointer": c_void_p, "int64": c_int64, "float64": c_double}
 
 

@@ -122,11 +122,11 @@ class Scene:
             one_of("captions", self.captions, WORDS)
             strip(self.settings.size, self.captions, self.motion.name)  # refuses what is too small
 
-    def task(self, number: int) -> Task:
+    def task(self, number: int) -> FrameTask:
         """Return what it takes to draw one frame; small, so that it travels to another process."""
         return self._task(float(self.motion.times[number]), self.motion.matrices[number][None])
 
-    def task_at(self, time: float) -> Task:
+    def task_at(self, time: float) -> FrameTask:
         """Return what it takes to draw the picture at an instant in seconds of the motion.
 
         At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
@@ -149,14 +149,14 @@ class Scene:
             return self.task(number)
         return self._task(instant, np.asarray(to_matrix(motion.at([instant]))))
 
-    def _task(self, instant: float, matrices: NDArray[np.float64]) -> Task:
+    def _task(self, instant: float, matrices: NDArray[np.float64]) -> FrameTask:
         """Return the task of an instant, at which the top has the attitude ``matrices`` (1, 3, 3)."""
         from rotation.matrices import to_matrix
 
         motion, instants = self.motion, np.array([instant])
         tips = motion.tips(instants)
         trail, ages = self._trail(instant, tips[0] + self.model.height * matrices[0, :, 2])
-        task = Task(
+        task = FrameTask(
             self.model,
             self._scene_settings,
             matrices,
@@ -246,7 +246,7 @@ class Scene:
 
 
 @dataclass(frozen=True, eq=False)
-class Task:
+class FrameTask:
     """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
 
     ``trail`` is the apex's path so far, (k, 3); ``ages`` (k,) are the seconds of the film since it passed
@@ -268,7 +268,7 @@ class Task:
     """How far the top turns about its own axis from the first to the last attitude, in radians."""
 
 
-def draw(task: Task) -> Pixels:
+def draw(task: FrameTask) -> Pixels:
     """Draw one frame, uint8 (height, width, 3)."""
     brush = _own.painter(task.model, task.settings)
     if len(task.matrices) == 1:

@@ -109,16 +109,16 @@ class Top:
         from anim.output import Film, check
         from anim.output.destination import file_place, write_text
         from anim.output.pictures import save_png
-        from anim.output.writing import Kind, kind_of
+        from anim.output.writing import OutputKind, kind_of
         from anim.rendering import draw, render
 
         place = Path(path)
         kind = kind_of(place)
-        if kind is Kind.PAGE:
+        if kind is OutputKind.PAGE:
             check(place, None, force)
             return write_text(place, self.page(), force)
         scene = self._scene(settings)
-        if kind is Kind.PICTURE:
+        if kind is OutputKind.PICTURE:
             number = whole("frame", frame, 0, self.motion.frames - 1)
             check(place, None, force)
             with file_place(place, force) as part:

@@ -21,7 +21,7 @@ from rotation.coordinates import (
 from rotation.matrices import matrix_entries
 from rotation.namespaces import namespace
 from rotation.native.pairs import plus_product
-from rotation.rowwise import Formula, flag_if, rarely
+from rotation.rowwise import RowFormula, flag_if, rarely
 from rotation.vectors import about_axis
 
 # Up to so many points the formulas are faster than the kernels, which take longer to begin: by one rotation,
@@ -103,19 +103,19 @@ def by_angles(
     return join(xp, tuple(x + spoilt for x in image))
 
 
-BY_MATRIX = Formula(_by_matrix, (3, 3), (3,), single=(0,))
-BY_QUATERNION = Formula(_by_quaternion, (4,), (3,), parameters=(False,))
-BY_INVERSE = Formula(_by_quaternion, (4,), (3,), parameters=(True,))
-ABOUT_AXIS = [Formula(_about_axis, (3,), (), (3,), parameters=(d,)) for d in (False, True)]
+BY_MATRIX = RowFormula(_by_matrix, (3, 3), (3,), single=(0,))
+BY_QUATERNION = RowFormula(_by_quaternion, (4,), (3,), parameters=(False,))
+BY_INVERSE = RowFormula(_by_quaternion, (4,), (3,), parameters=(True,))
+ABOUT_AXIS = [RowFormula(_about_axis, (3,), (), (3,), parameters=(d,)) for d in (False, True)]
 
 
 @cache
-def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> Formula:
+def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> RowFormula:
     """Return the formula for Euler angles about three axes, the last of the angles first if ``backward``."""
-    return Formula(by_angles, (len(axes),), (3,), parameters=(axes, backward, degrees))
+    return RowFormula(by_angles, (len(axes),), (3,), parameters=(axes, backward, degrees))
 
 
-def write(formula: Formula, target: Array, *arrays: Array) -> bool:
+def write(formula: RowFormula, target: Array, *arrays: Array) -> bool:
     """Write a formula's values to ``target``; its last array is the points. Tell what it tells.
 
     The arrays may be of both precisions; all is computed in double. The target may be the points.

@@ -10,7 +10,7 @@ from rotation.array_types import Array, Namespace
 from rotation.compensated import product, sine_and_cosine
 from rotation.namespaces import namespace
 from rotation.native.pairs import Pair, PairLike, two_sum
-from rotation.rowwise import Formula, rarely
+from rotation.rowwise import RowFormula, rarely
 
 # π/180 and 180/π: as many bits as float32 holds, and the rest.
 RADIANS = (float.fromhex("0x1.1df46ap-6"), float.fromhex("0x1.294e9c8ae0ec6p-33"))
@@ -40,7 +40,7 @@ def _both(angle: Array) -> Array:
     return xp.stack(_rounded(xp, angle[..., 0]), axis=-1)
 
 
-_BOTH = Formula(_both, (1,))
+_BOTH = RowFormula(_both, (1,))
 
 
 def waves_of_degrees(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:

@@ -24,7 +24,7 @@ from rotation.namespaces import (
 )
 from rotation.optimum import with_derivatives, without_derivatives
 from rotation.quaternions import canonical, normalised, upright
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
 _EPS = float(np.finfo(np.float64).eps)
@@ -78,7 +78,7 @@ def _last_column(vectors: Array) -> Array:
     return join(xp, upright(xp, unit(xp, tuple(vectors[..., n, 3] for n in range(4)))))
 
 
-_LAST_COLUMN = Formula(_last_column, (4, 4))
+_LAST_COLUMN = RowFormula(_last_column, (4, 4))
 
 
 @quiet

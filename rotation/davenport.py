@@ -16,7 +16,7 @@ from rotation.coordinates import Coordinates, join, length, split, unit
 from rotation.errors import RotationError
 from rotation.namespaces import expect_last, expect_numpy, floats, namespace, refuse_rows
 from rotation.quaternions import multiplied, steadied
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 from rotation.vectors import cross
 
 _ORDERS = ("extrinsic", "e", "intrinsic", "i")
@@ -54,7 +54,7 @@ def checked_axes(axes: ArrayLike, order: str) -> tuple[Array, bool]:
     return unit, order.lower()[0] == "i"
 
 
-_UNITS = Formula(lambda axis: join(namespace(axis), unit(namespace(axis), split(axis))), (3,))
+_UNITS = RowFormula(lambda axis: join(namespace(axis), unit(namespace(axis), split(axis))), (3,))
 
 
 def from_davenport(axes: ArrayLike, order: str, angles: ArrayLike, degrees: bool = False) -> Array:
@@ -78,8 +78,8 @@ def from_davenport(axes: ArrayLike, order: str, angles: ArrayLike, degrees: bool
 
 
 @cache
-def _making(n: int, intrinsic: bool, degrees: bool) -> Formula:
-    return Formula(_from_davenport, (n, 3), (n,), parameters=(intrinsic, degrees))
+def _making(n: int, intrinsic: bool, degrees: bool) -> RowFormula:
+    return RowFormula(_from_davenport, (n, 3), (n,), parameters=(intrinsic, degrees))
 
 
 def _from_davenport(axes: Array, angles: Array, intrinsic: bool, degrees: bool) -> Array:
@@ -118,8 +118,8 @@ def to_davenport(
 
 
 @cache
-def _reading(intrinsic: bool, degrees: bool, tolerance: float) -> Formula:
-    return Formula(_to_davenport, (4,), (3, 3), parameters=(intrinsic, degrees, tolerance))
+def _reading(intrinsic: bool, degrees: bool, tolerance: float) -> RowFormula:
+    return RowFormula(_to_davenport, (4,), (3, 3), parameters=(intrinsic, degrees, tolerance))
 
 
 def _to_davenport(q: Array, axes: Array, intrinsic: bool, degrees: bool, tolerance: float) -> Array:

@@ -16,7 +16,7 @@ from rotation.coordinates import Coordinates, join, split
 from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import namespace
 from rotation.quaternions import canonical, inverse, multiplied, normalised, product
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 
 TIE = 2.0**-40  # coordinates so near each other are the same
 _SAME = 1e-9  # and the products of a group, so near that of its elements
@@ -30,7 +30,7 @@ class _Maps(NamedTuple):
 
     by_angle: Array
     by_axis: Array
-    formula: Formula | None
+    formula: RowFormula | None
 
 
 def least(p: Array, left: Array, right: Array) -> Array:
@@ -76,7 +76,7 @@ def _maps(left: bytes, right: bytes) -> _Maps:
     keep = by_axis[np.abs(x - [0.0, 1.0, 0.0, 0.0]).max(axis=1) < _SAME]
     alike = np.abs(x[:, None] - x[None]).max(axis=2) < _SAME
     turn = by_axis[np.argmax(alike, axis=1) == np.arange(len(x))]
-    formula = Formula(_chosen, (4,), parameters=((by_angle, turn, keep),))
+    formula = RowFormula(_chosen, (4,), parameters=((by_angle, turn, keep),))
     return _Maps(by_angle, by_axis, formula)
 
 

@@ -16,7 +16,7 @@ from rotation.coordinates import Coordinates, join, length, root, split
 from rotation.errors import RotationError
 from rotation.namespaces import expect_last, finfo, floats, namespace
 from rotation.quaternions import multiplied, steadied
-from rotation.rowwise import Formula, rarely
+from rotation.rowwise import RowFormula, rarely
 
 SEQUENCES = [
     "".join(letters)
@@ -99,8 +99,8 @@ def from_euler(seq: str, angles: ArrayLike, degrees: bool = False) -> Array:
 
 
 @cache
-def _making(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
-    return Formula(_from_euler, (len(axes),), parameters=(axes, intrinsic, degrees))
+def _making(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> RowFormula:
+    return RowFormula(_from_euler, (len(axes),), parameters=(axes, intrinsic, degrees))
 
 
 def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
@@ -141,8 +141,8 @@ def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
 
 
 @cache
-def _reading(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
-    return Formula(_to_euler, (4,), parameters=(axes, intrinsic, degrees))
+def _reading(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> RowFormula:
+    return RowFormula(_to_euler, (4,), parameters=(axes, intrinsic, degrees))
 
 
 def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:

@@ -15,7 +15,7 @@ NAMES = ("Rotation", "RigidTransform")  # where both meet, the second is wanted
 _HOMES = ("scipy.spatial.transform", COMPAT, OURS)  # the last holds the one before
 
 
-class Kind(NamedTuple):
+class ClassReference(NamedTuple):
     """A class of rotations or of rigid transforms: where it is imported from, and its name."""
 
     home: str
@@ -39,13 +39,13 @@ CALLS = {
 """Functions of numpy-quaternion, transforms3d, roma, ROS and OpenCV; names of best fits."""
 
 
-def kind(value: object) -> Kind | None:
+def kind(value: object) -> ClassReference | None:
     """Return whose rotations or transforms a value is, or None if it is neither."""
     for ancestor in type(value).__mro__:
         if ancestor.__name__ in NAMES:
             for home in _HOMES:
                 if f"{ancestor.__module__}.".startswith(f"{home}."):
-                    return Kind(home, ancestor.__name__)
+                    return ClassReference(home, ancestor.__name__)
     return None
 
 
@@ -115,7 +115,7 @@ def numbers_expected(value: object, name: str) -> str | None:
     return f"{name} is {described(value)}; expected an array of numbers{advice}"
 
 
-def _conversion(found: Kind, code: str, wanted: str) -> str:
+def _conversion(found: ClassReference, code: str, wanted: str) -> str:
     """How to make ours of another's rotation or transform."""
     foreign = found.home != OURS
     if wanted == "RigidTransform":

@@ -15,7 +15,7 @@ from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.coordinates import Coordinates, factor, join, polynomial, split, sum_of_squares
 from rotation.errors import RotationError
 from rotation.namespaces import floats, namespace, quiet, refuse_rows
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 
 _TERMS = 12
 # By t = θ²: of A, B and C, whose quotients lose their digits where t is small; and twice their derivatives.
@@ -297,5 +297,5 @@ def _inverse(v: Array) -> Array:
 
 
 _HAT, _AD, _LEFT, _INVERSE = (
-    {n: Formula(formula, (n,)) for n in (3, 6)} for formula in (_hat, _ad, _left, _inverse)
+    {n: RowFormula(formula, (n,)) for n in (3, 6)} for formula in (_hat, _ad, _left, _inverse)
 )

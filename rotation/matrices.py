@@ -8,7 +8,7 @@ from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.coordinates import Coordinates, join, split, unit
 from rotation.namespaces import expect_last, finfo, floats, namespace, quiet, refuse_rows
 from rotation.optimum import davenport, with_derivatives, without_derivatives
-from rotation.rowwise import Formula, flag_if, rarely
+from rotation.rowwise import RowFormula, flag_if, rarely
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
 TOLERANCE = {64: 1e-6, 32: 1e-3}  # by the bits of a float
@@ -127,7 +127,7 @@ def matrix_entries(c: Coordinates) -> Entries:
     ]
 
 
-TO_MATRIX = Formula(_to_matrix, (4,))
+TO_MATRIX = RowFormula(_to_matrix, (4,))
 
 
 def from_matrix(matrix: ArrayLike, orthonormalize: bool = False) -> Array:
@@ -187,7 +187,7 @@ def _from_matrix(m: Array, tolerance: float) -> Array:
 
 
 _FROM_MATRIX = {
-    tolerance: Formula(_from_matrix, (3, 3), parameters=(tolerance,))
+    tolerance: RowFormula(_from_matrix, (3, 3), parameters=(tolerance,))
     for tolerance in TOLERANCE.values()
 }
 
@@ -242,7 +242,7 @@ def _faults(m: Array) -> Array:
     return join(xp, tuple(xp.where(finite, x, xp.nan * x) for x in (determinant, _off(xp, r))))
 
 
-_FAULTS = Formula(_faults, (3, 3))
+_FAULTS = RowFormula(_faults, (3, 3))
 
 
 def _determinant(r: Entries) -> Array:
@@ -322,7 +322,7 @@ def _proper_rows(xp: Namespace, u: Entries, s: Coordinates, vt: Entries) -> list
     return [(a, b, xp.where(mirrored, -c, c)) for a, b, c in (*u, s)]
 
 
-PROPER = Formula(_proper, (3, 3), (3,), (3, 3))
+PROPER = RowFormula(_proper, (3, 3), (3,), (3, 3))
 
 
 def _nearest_to_svd(u: Array, s: Array, vt: Array) -> Array:
@@ -342,7 +342,7 @@ def _nearest_to_svd(u: Array, s: Array, vt: Array) -> Array:
     return join(xp, unit(xp, _dominant_row(xp, _polished(xp, r))))
 
 
-NEAREST_TO_SVD = Formula(_nearest_to_svd, (3, 3), (3,), (3, 3))
+NEAREST_TO_SVD = RowFormula(_nearest_to_svd, (3, 3), (3,), (3, 3))
 
 
 def _dominant_row(xp: Namespace, r: Entries) -> Coordinates:

@@ -16,7 +16,7 @@ from rotation.array_types import NUMPY, Array, Limits, Namespace
 from rotation.arrays import expect_numbers, real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 from rotation.native import tracing
-from rotation.native.symbols import Condition, Lanes, Rows
+from rotation.native.symbols import LaneMask, Lanes, Rows
 
 quiet = np.errstate(all="ignore")
 
@@ -79,7 +79,7 @@ def _own_namespace(value: object) -> Namespace | None:
     kind = type(value)
     if kind is np.ndarray or isinstance(value, np.ndarray | np.generic):
         return NUMPY
-    if kind in (Lanes, Condition, Rows):
+    if kind in (Lanes, LaneMask, Rows):
         return tracing.NAMESPACE
     if kind in _PLAIN or isinstance(value, int | float | complex | str | bytes | Sequence):
         return None

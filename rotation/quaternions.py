@@ -17,7 +17,7 @@ from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unchanging, unit
 from rotation.namespaces import expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import is_differentiable, without_derivatives
-from rotation.rowwise import Formula, flag_if, rarely
+from rotation.rowwise import RowFormula, flag_if, rarely
 
 HAMILTON: formula.Constants[Array | float] = formula.Constants(
     -1.0, 0, -1.0
@@ -68,7 +68,7 @@ def normalise(q: Array) -> Array:
     return join(xp, rarely(xp, far, brought_near, near))
 
 
-_NORMALISED = Formula(normalise, (4,))
+_NORMALISED = RowFormula(normalise, (4,))
 
 
 def product(p: Array, q: Array) -> Array:
@@ -92,7 +92,7 @@ def _product(p: Array, q: Array) -> Array:
     return join(namespace(p), steadied(multiplied(split(p), split(q))))
 
 
-PRODUCT = Formula(_product, (4,), (4,))
+PRODUCT = RowFormula(_product, (4,), (4,))
 
 
 def multiplied(p: tuple[Operand, ...], q: tuple[Operand, ...]) -> Coordinates:
@@ -124,7 +124,7 @@ def _inverse(q: Array) -> Array:
     return join(namespace(q), conjugated(split(q)))
 
 
-INVERSE = Formula(_inverse, (4,))
+INVERSE = RowFormula(_inverse, (4,))
 
 
 def canonical(q: Array) -> Array:
@@ -136,7 +136,7 @@ def _canonical(q: Array) -> Array:
     return join(namespace(q), upright(namespace(q), split(q)))
 
 
-_CANONICAL = Formula(_canonical, (4,))
+_CANONICAL = RowFormula(_canonical, (4,))
 
 
 def upright(xp: Namespace, c: Coordinates) -> Coordinates:
@@ -156,7 +156,7 @@ def _scalar_last(q: Array) -> Array:
     return join(namespace(q), (*u, w))
 
 
-_SCALAR_LAST = Formula(_scalar_last, (4,))
+_SCALAR_LAST = RowFormula(_scalar_last, (4,))
 
 
 def angle(q: Array, degrees: bool = False) -> Array:
@@ -171,7 +171,7 @@ def _angle(q: Array, degrees: bool) -> Array:
     return to_degrees(xp, found) if degrees else found
 
 
-_ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
+_ANGLE = [RowFormula(_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
 def power(q: Array, exponent: Operand) -> Array:
@@ -204,7 +204,7 @@ def slerp(p: Array, q: Array, t: Operand) -> Array:
     return _raised(SLERP, t, p, q)
 
 
-def _raised(raise_to: Formula, exponent: Operand, *rotations: Array) -> Array:
+def _raised(raise_to: RowFormula, exponent: Operand, *rotations: Array) -> Array:
     xp = namespace(*rotations)
     plain = all(type(q) is np.ndarray for q in rotations)
     if isinstance(exponent, int | float):
@@ -237,7 +237,9 @@ def _powers(xp: Namespace, q: Coordinates, exponent: Array, shorter: bool) -> Co
     return (cosine, *(ratio * c for c in u))
 
 
-_POWER, SHORTER_POWER = (Formula(_power, (4,), (), parameters=(short,)) for short in (False, True))
+_POWER, SHORTER_POWER = (
+    RowFormula(_power, (4,), (), parameters=(short,)) for short in (False, True)
+)
 
 
 def _slerp(p: Array, q: Array, t: Array) -> Array:
@@ -257,7 +259,7 @@ def _slerp(p: Array, q: Array, t: Array) -> Array:
     )
 
 
-SLERP = Formula(_slerp, (4,), (4,), ())
+SLERP = RowFormula(_slerp, (4,), (4,), ())
 
 
 @quiet

@@ -19,7 +19,7 @@ from rotation.jacobians import exponential_factors, logarithm_factor
 from rotation.matrices import matrix_entries
 from rotation.namespaces import expect_last, floats, namespace, quiet, refuse_rows, refuse_zeros
 from rotation.quaternions import conjugated, multiplied, steadied
-from rotation.rowwise import Formula, flag_if
+from rotation.rowwise import RowFormula, flag_if
 from rotation.vectors import from_axis_angle, to_axis_angle
 
 
@@ -96,15 +96,15 @@ def _dual(q: Array, t: Array) -> Array:
     return join(namespace(q), (*split(q), *multiplied(half, split(q))))
 
 
-MOVED = Formula(_moved, (4,), (3,), (3,))
-MOVED_BACK = Formula(_moved_back, (4,), (3,), (3,))
-COMPOSED = Formula(_composed, (4,), (3,), (4,), (3,))
-INVERTED = Formula(_inverted, (4,), (3,))
-MATRIX = Formula(_matrix, (4,), (3,))
-ADJOINT = Formula(_adjoint, (4,), (3,))
-JACOBIAN_TIMES = Formula(_jacobian_times, (3,), (3,))
-INVERSE_JACOBIAN_TIMES = Formula(_inverse_jacobian_times, (3,), (3,))
-DUAL = Formula(_dual, (4,), (3,))
+MOVED = RowFormula(_moved, (4,), (3,), (3,))
+MOVED_BACK = RowFormula(_moved_back, (4,), (3,), (3,))
+COMPOSED = RowFormula(_composed, (4,), (3,), (4,), (3,))
+INVERTED = RowFormula(_inverted, (4,), (3,))
+MATRIX = RowFormula(_matrix, (4,), (3,))
+ADJOINT = RowFormula(_adjoint, (4,), (3,))
+JACOBIAN_TIMES = RowFormula(_jacobian_times, (3,), (3,))
+INVERSE_JACOBIAN_TIMES = RowFormula(_inverse_jacobian_times, (3,), (3,))
+DUAL = RowFormula(_dual, (4,), (3,))
 
 
 def from_dual(dual: Array) -> Array:
@@ -133,7 +133,7 @@ def _from_dual(dual: Array) -> Array:
     return join(xp, (*q, *(2.0 * c for c in half)))
 
 
-_FROM_DUAL = Formula(_from_dual, (8,))
+_FROM_DUAL = RowFormula(_from_dual, (8,))
 
 
 def expect_affine(m: Array) -> None:

@@ -1,7 +1,7 @@
 """Run formulas on the rows of arrays, as machine code where possible, else in the array library.
 
 A formula of a hundred operations on numpy arrays is a hundred calls, and on long ones a hundred passes over
-memory. `Formula` compiles it on its first use, in some hundredths of a second, into one loop
+memory. `RowFormula` compiles it on its first use, in some hundredths of a second, into one loop
 over rows: for one rotation and for a million. Arrays of other libraries take the formula as it stands.
 
 What is stored in single precision is read, computed in double and rounded once, by a loop of its own for
@@ -40,7 +40,7 @@ def compile_all() -> None:
         formula._compiled()
 
 
-class Formula:
+class RowFormula:
     """A function of rows of numbers, ``formula(*arrays, *parameters)``, each of its rows on its own.
 
     Parameters
@@ -88,7 +88,7 @@ class Formula:
         self._single = single
         self._kinds = kinds or (FLOAT64,) * len(shapes)
         self._kind = max(self._kinds, key=_size)  # that of the result
-        self._others: dict[Kinds, Formula] = {}
+        self._others: dict[Kinds, RowFormula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
         self.function: Callable[..., Any] = unmade
@@ -186,12 +186,12 @@ class Formula:
         values, flag = self.with_flag(*(a.detach().numpy() for a in arrays))
         return tensors.like(arrays[0], values), flag
 
-    def _of(self, kinds: Kinds) -> "Formula":
+    def _of(self, kinds: Kinds) -> "RowFormula":
         """Return the same formula for arrays stored in these kinds of floats."""
         if kinds == self._kinds:
             return self
         if kinds not in self._others:
-            self._others[kinds] = Formula(
+            self._others[kinds] = RowFormula(
                 self._formula,
                 *self._shapes,
                 parameters=self._parameters,
@@ -241,7 +241,7 @@ def _size(kind: np.dtype[np.floating]) -> int:
     return kind.itemsize
 
 
-_made: list[Formula] = []
+_made: list[RowFormula] = []
 
 
 def rarely(
@@ -258,6 +258,6 @@ def rarely(
 
 
 def flag_if(xp: Namespace, condition: Array) -> None:
-    """Make `Formula.with_flag` return True if the condition holds in a row; by numpy it always does."""
+    """Make `RowFormula.with_flag` return True if the condition holds in a row; by numpy it always does."""
     if hasattr(xp, "flag_if"):
         xp.flag_if(condition)

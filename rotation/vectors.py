@@ -29,7 +29,7 @@ from rotation.namespaces import expect_last, finfo, floats, namespace, quiet, re
 from rotation.native.pairs import Pair
 from rotation.optimum import is_differentiable
 from rotation.quaternions import multiplied, upright
-from rotation.rowwise import Formula, rarely
+from rotation.rowwise import RowFormula, rarely
 
 # Of t = |v|² below SHORT: cos(|v|/2), sin(|v|/2)/|v| and 2·arcsin(√t)/√t, to 2⁻⁵⁶ of them.
 SHORT = 2.0**-24
@@ -97,7 +97,7 @@ def turn(xp: Namespace, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) ->
     return (cosine[0] + cosine[1], *(times(xp, ratio, a) for a in axis))
 
 
-_FROM_ROTVEC = [Formula(_from_rotvec, (3,), parameters=(degrees,)) for degrees in (False, True)]
+_FROM_ROTVEC = [RowFormula(_from_rotvec, (3,), parameters=(degrees,)) for degrees in (False, True)]
 
 
 def _sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
@@ -156,7 +156,7 @@ def _logarithm(xp: Namespace, w: Array, u: Coordinates) -> Array:
     return ratio[..., None] * join(xp, u)
 
 
-_TO_ROTVEC = [Formula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (False, True)]
+_TO_ROTVEC = [RowFormula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
 @quiet
@@ -194,7 +194,7 @@ def about_axis(axis: Coordinates, angle: Array, degrees: bool) -> Coordinates:
 
 
 FROM_AXIS_ANGLE = [
-    Formula(_from_axis_angle, (3,), (), parameters=(degrees,)) for degrees in (False, True)
+    RowFormula(_from_axis_angle, (3,), (), parameters=(degrees,)) for degrees in (False, True)
 ]
 
 
@@ -218,7 +218,9 @@ def _to_axis_angle(q: Array, degrees: bool) -> Array:
     return join(xp, (*axis, to_degrees(xp, angle) if degrees else angle))
 
 
-_TO_AXIS_ANGLE = [Formula(_to_axis_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
+_TO_AXIS_ANGLE = [
+    RowFormula(_to_axis_angle, (4,), parameters=(degrees,)) for degrees in (False, True)
+]
 
 
 def from_mrp(parameters: ArrayLike) -> Array:
@@ -244,7 +246,7 @@ def _from_mrp(v: Array) -> Array:
     )
 
 
-_FROM_MRP = Formula(_from_mrp, (3,))
+_FROM_MRP = RowFormula(_from_mrp, (3,))
 
 
 def to_mrp(q: Array) -> Array:
@@ -258,7 +260,7 @@ def _to_mrp(q: Array) -> Array:
     return join(xp, tuple(c / (1.0 + w) for c in u))
 
 
-_TO_MRP = Formula(_to_mrp, (4,))
+_TO_MRP = RowFormula(_to_mrp, (4,))
 
 
 @quiet

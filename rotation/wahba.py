@@ -25,7 +25,7 @@ from rotation.namespaces import (
 )
 from rotation.optimum import davenport, is_differentiable, with_derivatives, without_derivatives
 from rotation.quaternions import product
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 from rotation.vectors import between, from_axis_angle
 
 
@@ -179,8 +179,8 @@ def _root_of_squares(xp: Namespace, rests: Array) -> Array:
     return xp.sqrt(xp.sum((rests / longest) ** 2, axis=-1)) * longest[..., 0]
 
 
-_LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
-_RESTS = Formula(
+_LENGTH = RowFormula(lambda v: length(namespace(v), split(v)), (3,))
+_RESTS = RowFormula(
     lambda a, b, q: length(
         namespace(a),
         tuple(x - y for x, y in zip(split(a), turned_by(split(q), split(b), False), strict=True)),
@@ -188,7 +188,7 @@ _RESTS = Formula(
     *((3,), (3,), (4,)),
     single=(2,),
 )
-_TIMES = Formula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
+_TIMES = RowFormula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
 
 
 def _weights(xp: Namespace, weights: ArrayLike | None, vectors: Array) -> Array:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS, declare
-from anim.output.writing import Kind
+from anim.output.writing import OutputKind
 from hfield.cli.parser import UsageError
 from hfield.tables import is_number
 
@@ -47,18 +47,18 @@ FREE_ONLY = ("tip_radius", "friction", "rolling")
 READING = {"spin": "absolute", "order": "spin-first", "angle": "quarter", "euler": "zyx"}
 
 
-def refuse_ignored(args: Namespace, kind: Kind) -> None:
+def refuse_ignored(args: Namespace, kind: OutputKind) -> None:
     """Refuse options that this kind of output does not have. Raises :class:`UsageError`."""
     alone = next((flag for flag in ("quaternions", "figures") if getattr(args, flag)), None)
     for name in _given(args):
         flag = f"--{name.replace('_', '-')}"
         if alone and name not in (*ALWAYS, alone):
             raise UsageError(f"--{alone} always makes the same output; leave out {flag}")
-        if not alone and kind is Kind.PAGE and name in (*DRAWN_ONLY, "jobs"):
+        if not alone and kind is OutputKind.PAGE and name in (*DRAWN_ONLY, "jobs"):
             raise UsageError(f"{flag} belongs to films and pictures; a page has no such option")
-        if not alone and kind is Kind.PICTURE and name == "jobs":
+        if not alone and kind is OutputKind.PICTURE and name == "jobs":
             raise UsageError("--jobs belongs to films; one picture is drawn in one process")
-    if kind is Kind.PAGE and not alone:
+    if kind is OutputKind.PAGE and not alone:
         camera = camera_of(args)
         if replace(camera, azimuth=0, elevation=0, zoom=1) != type(camera)(0, 0):
             raise UsageError(
@@ -148,7 +148,7 @@ def motions_of(
         return [recorded.motion(film)]
     read = any(getattr(args, name) != usual for name, usual in READING.items())
     heavy = any(getattr(args, name) is not None for name in PHYSICS_ONLY + FREE_ONLY)
-    page = kind_of(Path(args.output)) is Kind.PAGE
+    page = kind_of(Path(args.output)) is OutputKind.PAGE
     chosen = args.model or ("quaternions" if read and not heavy else MODELS[0])
     if args.model is None and page and not heavy:
         return [kinematic(name, film, _reading(args)) for name in PIPELINES]

@@ -52,10 +52,10 @@ def run(args: Namespace) -> int:
     if args.output in ("", "-"):
         raise UsageError("a picture needs an output file: expected a name such as -o top.mp4")
     from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of, refuse_ignored
-    from anim.output.writing import Kind, kind_of
+    from anim.output.writing import OutputKind, kind_of
 
     path = Path(args.output)
-    refuse_ignored(args, Kind.FOLDER if args.figures else kind_of(path))
+    refuse_ignored(args, OutputKind.FOLDER if args.figures else kind_of(path))
     if args.figures:
         return _figures(args, path)
     if args.quaternions:
@@ -64,9 +64,9 @@ def run(args: Namespace) -> int:
     clip = clip_of(args, recorded)
     kind = kind_of(path)
     encoding_of(args, path)  # refuses at once what the format has not
-    if args.sheet or args.frame is not None or kind is Kind.PICTURE:
+    if args.sheet or args.frame is not None or kind is OutputKind.PICTURE:
         return _picture(args, model, clip, path, recorded)
-    if kind is Kind.PAGE:
+    if kind is OutputKind.PAGE:
         return _page(args, model, clip, path, recorded)
     return _film(args, model, clip, path, recorded)
 
@@ -129,11 +129,11 @@ def _picture(
     from anim.commands.choices import motions_of, numbers_of, settings_of
     from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
-    from anim.output.writing import Kind, kind_of
+    from anim.output.writing import OutputKind, kind_of
     from anim.rendering import contact_sheet, draw
 
     kind, size = ("sheet", SHEET_SIZE) if args.sheet else ("frame", FILM_SIZE)
-    if kind_of(path) is not Kind.PICTURE:
+    if kind_of(path) is not OutputKind.PICTURE:
         raise UsageError(
             f"--{kind} makes one picture: expected a name such as {kind}.png, not {path.name!r}"
         )
@@ -185,10 +185,10 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
 def _seeing(args: Namespace, path: Path) -> int:
     """Write the page Seeing quaternions."""
     from anim.output.destination import refuse_early, write_text
-    from anim.output.writing import Kind, kind_of
+    from anim.output.writing import OutputKind, kind_of
     from anim.viewer import seeing
 
-    if kind_of(path) is not Kind.PAGE:
+    if kind_of(path) is not OutputKind.PAGE:
         raise UsageError(
             f"--quaternions makes a page: expected a name such as s3.html, not {path.name!r}"
         )

@@ -68,17 +68,17 @@ INVERSE = Assertion.of(
 )
 
 
-class Tally:
+class MultiplicationCounter:
     """A scalar without a value; it counts the multiplications it takes part in."""
 
     def __init__(self) -> None:
         self.count = 0
 
-    def __mul__(self, other: object) -> "Tally":
+    def __mul__(self, other: object) -> "MultiplicationCounter":
         self.count += 1
         return self
 
-    def _other(self, *other: object) -> "Tally":
+    def _other(self, *other: object) -> "MultiplicationCounter":
         return self
 
     __rmul__ = __mul__
@@ -91,7 +91,7 @@ def work(points: int) -> tuple[int, int]:
     Of a frame: two rotations a point; or one a point, and the product of the two quaternions once.
     """
     read: dict[str, Any] = {"cos": lambda x: x, "sin": lambda x: x}
-    t = Tally()
+    t = MultiplicationCounter()
     v = [t, t, t]
     code("rotationquaternion", **read)(t, v, code("rotationquaternion", **read)(t, v, v))
     twice, t.count = t.count, 0

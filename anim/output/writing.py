@@ -15,7 +15,7 @@ from anim.output.formats import FORMATS
 from hfield.errors import shorten
 
 
-class Kind(Enum):
+class OutputKind(Enum):
     """What a name stands for."""
 
     FILM = "film"
@@ -24,13 +24,13 @@ class Kind(Enum):
     FOLDER = "folder of pictures"
 
 
-def suffixes() -> dict[str, Kind]:
+def suffixes() -> dict[str, OutputKind]:
     """Return what each suffix of a name stands for; a name without one is a folder."""
-    films = {f".{name}": Kind.FILM for name in FORMATS}
-    return films | {".html": Kind.PAGE, ".png": Kind.PICTURE}
+    films = {f".{name}": OutputKind.FILM for name in FORMATS}
+    return films | {".html": OutputKind.PAGE, ".png": OutputKind.PICTURE}
 
 
-def kind_of(path: Path) -> Kind:
+def kind_of(path: Path) -> OutputKind:
     """Return what a name stands for. Raises :class:`AnimationError` for an unknown suffix."""
     if path.name in suffixes():
         raise AnimationError(f"{path.name!r} is a suffix without a name; try top{path.name}")
@@ -44,7 +44,7 @@ def kind_of(path: Path) -> Kind:
             f"{shorten(path.name)!r}: the format {path.suffix.lower()!r} is unknown; expected "
             f"{', '.join(suffixes())}, or a name without suffix for a folder of pictures"
         )
-    return Kind.FOLDER
+    return OutputKind.FOLDER
 
 
 def check(path: Path, film: Film | None, force: bool = False) -> None:
@@ -56,13 +56,13 @@ def check(path: Path, film: Film | None, force: bool = False) -> None:
     """
     kind, suffix = kind_of(path), path.suffix.lower()
     if film is not None:
-        if kind in (Kind.PAGE, Kind.PICTURE):
+        if kind in (OutputKind.PAGE, OutputKind.PICTURE):
             hint = "; --frame N makes a .png of one frame, --sheet of ten"
             raise AnimationError(
                 f"{shorten(path.name)!r} is the name of a {kind.value}: a film cannot be written as "
-                f"{suffix!r}{hint if kind is Kind.PICTURE else ''}"
+                f"{suffix!r}{hint if kind is OutputKind.PICTURE else ''}"
             )
-        if kind is Kind.FILM:
+        if kind is OutputKind.FILM:
             FORMATS[suffix[1:]].check(film)
     refuse_early(path, force)
 
@@ -78,7 +78,7 @@ def open_film(
     does, and when the encoder fails or has lost a frame.
     """
     check(path, film, force)
-    if kind_of(path) is Kind.FOLDER:
+    if kind_of(path) is OutputKind.FOLDER:
         from anim.output.pictures import open_folder
 
         with folder_place(path, force) as part, open_folder(part, film) as write:

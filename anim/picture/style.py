@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 PAPER: RGB = (246, 243, 236)
 
 
-class Body(Protocol):
+class TopPainter(Protocol):
     """What draws the top itself."""
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
@@ -70,5 +70,5 @@ class Style(ABC):
     @abstractmethod
     def body(
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings
-    ) -> Body:
+    ) -> TopPainter:
         """Return what draws the top in two colours; ``light`` (3,) points to where light comes from."""

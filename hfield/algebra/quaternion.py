@@ -22,7 +22,7 @@ from hfield.errors import (
 from hfield.fields.base.coefficients import Coefficients
 from hfield.fields.base.coercion import rational
 from hfield.fields.base.ring import Ring
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
 from hfield.symbols import element_to_sympy, values_given, variable_name
@@ -61,7 +61,7 @@ class Parent(Protocol):
     @property
     def storage(self) -> Storage: ...  # noqa: D102
     @property
-    def array_storage(self) -> Batch: ...  # noqa: D102
+    def array_storage(self) -> BatchStorage: ...  # noqa: D102
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
     def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
@@ -141,7 +141,7 @@ class Quaternion(Hinted, PrintedBySympy):
         how = self._how
         return (
             how.read_only_coordinates(self._stored)
-            if isinstance(how, Batch)
+            if isinstance(how, BatchStorage)
             else how.coordinates(self._stored)
         )
 
@@ -390,7 +390,7 @@ class Quaternion(Hinted, PrintedBySympy):
         stored = how.inverse(self._stored)
         if stored is not None:
             return from_stored(self._algebra, how, stored)
-        if not isinstance(how, Batch):
+        if not isinstance(how, BatchStorage):
             raise NotInvertibleError(self._why_no_inverse())
         where = _first(~how.units(self._stored))
         q = self._new(*how.single(how.part(self._stored, where)))
@@ -791,7 +791,7 @@ class Quaternion(Hinted, PrintedBySympy):
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array of quaternions; ``()`` for a single one."""
-        return self._how.shape(self._stored) if isinstance(self._how, Batch) else ()
+        return self._how.shape(self._stored) if isinstance(self._how, BatchStorage) else ()
 
     def __len__(self) -> int:
         if not self.shape:
@@ -803,19 +803,19 @@ class Quaternion(Hinted, PrintedBySympy):
     def __getitem__(self, index: Index) -> Quaternion:
         """Take elements out of an array of quaternions, as numpy indexes arrays."""
         how = self._how
-        if not isinstance(how, Batch) or not how.shape(self._stored):
+        if not isinstance(how, BatchStorage) or not how.shape(self._stored):
             raise CoercionError("a single quaternion cannot be indexed; use q.coordinates[n]")
         return self._one_or_many(how, how.part(self._stored, index))
 
-    def _one_or_many(self, how: Batch, stored: Any) -> Quaternion:
+    def _one_or_many(self, how: BatchStorage, stored: Any) -> Quaternion:
         """Return the array with this stored value, or a single element if it has no dimension."""
         return self._alike(stored) if how.shape(stored) else self._new(*how.single(stored))
 
     def __iter__(self) -> Iterator[Quaternion]:
         return (self[n] for n in range(len(self)))
 
-    def _array(self, what: str) -> Batch:
-        if not isinstance(self._how, Batch):
+    def _array(self, what: str) -> BatchStorage:
+        if not isinstance(self._how, BatchStorage):
             raise CoercionError(f"a single quaternion has no {what}; arrays of quaternions have")
         return self._how
 

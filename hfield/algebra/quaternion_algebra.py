@@ -28,7 +28,7 @@ from hfield.fields import quadratic_forms
 from hfield.fields.adjoining import adjoin_variables
 from hfield.fields.base.from_sympy import check_symbols, is_of_sympy
 from hfield.fields.base.ring import Ring, WithIntegers
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.fields.floats import CDF
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
@@ -161,7 +161,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self.ring.storage(self.constants)
 
     @cached_property
-    def array_storage(self) -> Batch:
+    def array_storage(self) -> BatchStorage:
         """The storage of arrays of elements, which computes with them."""
         return self.ring.array_storage(self.constants)
 

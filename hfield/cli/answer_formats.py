@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from hfield.cli.output import Sink, open_output
 
 if TYPE_CHECKING:
-    from hfield.ledger.claims_table import Style
+    from hfield.ledger.claims_table import TerminalStyle
     from hfield.presenting import AnswerSection
 
 
@@ -19,7 +19,7 @@ class OutputDocument:
     """The JSON and the page, other formats by name, and the exit status; only one format is computed."""
 
     data: Callable[[], Mapping[str, object]]
-    page: Callable[[Style], str]
+    page: Callable[[TerminalStyle], str]
     forms: Mapping[str, Callable[[], str]] = field(default_factory=dict)
     status: int = 0
 

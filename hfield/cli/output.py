@@ -19,7 +19,7 @@ from hfield.core.files import whole_file
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:
-    from hfield.ledger.claims_table import Style
+    from hfield.ledger.claims_table import TerminalStyle
 
 _PLAIN = {"√": "sqrt", "−": "-", "·": "*", "×": "x", "…": "...", "ℚ": "QQ", "ℝ": "RR", "ℂ": "CC"}
 _PLAIN |= {"ℤ": "ZZ", "⇒": "=>", "⇔": "<=>", "≠": "!=", "∀": "all", "∃": "exists", "∈": "in"}
@@ -76,14 +76,14 @@ class Sink:
         if self._ending:
             self.write(self._ending.lstrip("\n"))
 
-    def style(self) -> Style:
+    def style(self) -> TerminalStyle:
         """Return what this place can show: its width, unicode, colours."""
-        from hfield.ledger.claims_table import Style
+        from hfield.ledger.claims_table import TerminalStyle
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
         width = terminal_width() if _has_width(self.stream) else MAX_WIDTH
-        return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
+        return TerminalStyle(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
 
 
 def terminal_width() -> int:

@@ -28,7 +28,7 @@ _announce = machine_code.Announcer(
 )
 
 
-class Kernel:
+class ArrayProgram:
     """A program in an arithmetic, to be run over arrays.
 
     Parameters

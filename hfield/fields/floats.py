@@ -15,7 +15,7 @@ from hfield.fields.base.coercion import rational, unwrap
 from hfield.fields.base.from_sympy import is_of_sympy
 from hfield.fields.base.printing import Factor, number_text, sum_text
 from hfield.fields.base.ring import Fact
-from hfield.fields.base.storage.base import Batch
+from hfield.fields.base.storage.base import BatchStorage
 from hfield.fields.base.value_ring import ValueRing
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ class FloatingPoint(ValueRing[N]):
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Store an array of elements as one numpy array."""
         from hfield.fields.base.array_storage.floats import FloatArrays
 

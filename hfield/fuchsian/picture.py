@@ -62,7 +62,7 @@ class Area(NamedTuple):
     images: list[list[DrawnSide]]
 
 
-class Drawing(NamedTuple):
+class DiscDrawing(NamedTuple):
     """What every format draws, in the unit disc."""
 
     title: str
@@ -116,7 +116,7 @@ def svg(domain: Domain) -> str:
 
 def drawing_of(
     domain: Domain, dark: bool, depth: int | None, points: Iterable[CMPoint] = ()
-) -> Drawing:
+) -> DiscDrawing:
     """Return what is drawn of a domain: all that can be seen, or words of up to ``depth`` sides."""
     numbers, corners = pair_numbers(domain), np.array(domain.vertices)
     colored = sorted(tessellation(domain, depth), key=lambda t: (t.length, t.first))
@@ -134,7 +134,7 @@ def drawing_of(
     theme = DARK if dark else LIGHT
     names = letters(domain.partners, numbers)
     marks, special = orders + halves, cm_points_in(domain, points)
-    return Drawing(*_words(domain), theme, areas, own, colors, names, marks, special)
+    return DiscDrawing(*_words(domain), theme, areas, own, colors, names, marks, special)
 
 
 def cm_points_in(domain: Domain, points: Iterable[CMPoint]) -> list[CMPoints]:
@@ -191,7 +191,7 @@ def _middle(side: DrawnSide) -> complex:
 # --- letters and legend, in pixels from the middle of the disc, y upwards -----------------------------------
 
 
-class Entry(NamedTuple):
+class LegendEntry(NamedTuple):
     """An entry of the legend from x on: a stroke of a colour, or the mark of an order, 1 being the centre.
 
     With both it is a CM point.
@@ -209,7 +209,7 @@ class Entry(NamedTuple):
         return self.x + (0 if self.color is None and self.order is None else 22)
 
 
-def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
+def letters_on_sides(drawing: DiscDrawing) -> Iterator[tuple[complex, float, str]]:
     """Yield the place of the middle, the size, and the letter of each side that is long enough."""
     # the straight sides of a sector may be near to one another
     between = RADIUS * abs(_summit(drawing.own[0]) - _summit(drawing.own[-1]))
@@ -230,7 +230,7 @@ def _summit(side: DrawnSide) -> complex:
     return side.center + (middle - side.center) * side.radius / abs(middle - side.center)
 
 
-def legend(drawing: Drawing) -> list[Entry]:
+def legend(drawing: DiscDrawing) -> list[LegendEntry]:
     """Return the legend below the disc, each row in the middle."""
     names = dict(zip(drawing.colors, drawing.letters, strict=True))
     firsts = [(c, t) for c, t in zip(drawing.colors, drawing.letters, strict=True) if "⁻" not in t]
@@ -260,13 +260,13 @@ def legend(drawing: Drawing) -> list[Entry]:
     ]
 
 
-def _more_legend(drawing: Drawing) -> float:
+def _more_legend(drawing: DiscDrawing) -> float:
     """Return the height of a row of the legend that only drawings with CM points have."""
     return LEGEND_STEP if drawing.cm_points else 0
 
 
-def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[Entry]:
-    entries = [Entry(0, y, *words) for words in row]
+def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[LegendEntry]:
+    entries = [LegendEntry(0, y, *words) for words in row]
     widths = [e.text_x + ADVANCE * LEGEND_SIZE * len(e.text) for e in entries]
     x = -(sum(widths) + LEGEND_GAP * (len(row) - 1)) / 2
     for entry, width in zip(entries, widths, strict=True):
@@ -277,7 +277,7 @@ def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[En
 # --- SVG -------------------------------------------------------------------------------------------------
 
 
-def _svg(drawing: Drawing) -> str:
+def _svg(drawing: DiscDrawing) -> str:
     """Write the picture: numbers are pixels from the middle of the disc, y downwards."""
     theme = drawing.theme
     width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92 + _more_legend(drawing)
@@ -329,7 +329,7 @@ def _svg(drawing: Drawing) -> str:
     return "\n".join(parts) + "\n"
 
 
-def _svg_entry(entry: Entry) -> Iterator[str]:
+def _svg_entry(entry: LegendEntry) -> Iterator[str]:
     if entry.color is not None and entry.order is not None:
         x, y = entry.x + 12, -entry.y
         yield (
@@ -388,7 +388,7 @@ def _mark(order: int) -> Iterator[complex]:
 # --- PNG and PDF -----------------------------------------------------------------------------------------
 
 
-def _save(drawing: Drawing, path: Path) -> None:
+def _save(drawing: DiscDrawing, path: Path) -> None:
     with default_settings():
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure

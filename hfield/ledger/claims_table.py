@@ -24,7 +24,7 @@ _LEAST_NAME = 12
 
 
 @dataclass(frozen=True)
-class Style:
+class TerminalStyle:
     """How a terminal wants its text: columns, whether it can show unicode, and colours."""
 
     width: int = 100
@@ -75,7 +75,7 @@ def marked(
     return fields, [(c, [found.get((c.id, field), "") for field in fields]) for c in claims]
 
 
-def matrix(rows: Sequence[Row], style: Style) -> str:
+def matrix(rows: Sequence[Row], style: TerminalStyle) -> str:
     """Lay out the verdicts as printed: one line a claim, one column a field.
 
     Heads are written out where they fit, else short; more columns than fit go into blocks below

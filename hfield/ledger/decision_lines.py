@@ -11,7 +11,7 @@ from hfield.errors import HFieldError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
-from hfield.ledger.claims_table import Style
+from hfield.ledger.claims_table import TerminalStyle
 from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
 from hfield.notation import element_text
 from hfield.presenting import hanging
@@ -36,7 +36,7 @@ _FALSE = {"==": "≠", "!=": "=", ">=": "<", ">": "≤", "<=": ">", "<": "≥"} 
 
 
 def decision_text(
-    statement: str, decision: Decision, algebra: str, field: str | None, style: Style
+    statement: str, decision: Decision, algebra: str, field: str | None, style: TerminalStyle
 ) -> str:
     """Write a statement in ``algebra``, or about all rings, and its decision; no field means all."""
     every = "for every ordered F" if is_about_order(statement) else "for every F"
@@ -53,7 +53,7 @@ def decision_text(
 
 
 def decision_lines(
-    text: str, decision: Decision, field: str, style: Style, algebra: str | None = None
+    text: str, decision: Decision, field: str, style: TerminalStyle, algebra: str | None = None
 ) -> Iterator[str]:
     """Yield verdict, steps, witness and what was assumed or tried, each wrapped beside its label."""
     mark = replace(style, colour=False).mark(decision.verdict)
@@ -89,7 +89,7 @@ def scope_text(decision: Decision) -> str:
     return f", over all {scope}"
 
 
-def wrapped(label: str, text: str, style: Style, indent: int = 0) -> list[str]:
+def wrapped(label: str, text: str, style: TerminalStyle, indent: int = 0) -> list[str]:
     """Return the label and the text beside it, wrapped to the width of the terminal."""
     return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)
 

@@ -9,7 +9,7 @@ from hfield.fields.base.latex_names import latex_name
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
-from hfield.ledger.claims_table import Style
+from hfield.ledger.claims_table import TerminalStyle
 from hfield.ledger.columns import split_columns
 from hfield.ledger.decision_lines import decision_lines, wrapped
 from hfield.ledger.registry import find_all
@@ -38,9 +38,9 @@ class Explanation:
         """The first row."""
         return self.rows[0]
 
-    def text(self, style: Style | None = None) -> str:
+    def text(self, style: TerminalStyle | None = None) -> str:
         """Write statement, reading, verdict, steps and witness, then the same of the correction."""
-        return "\n\n".join(_text(row, style or Style()) for row in self.rows)
+        return "\n\n".join(_text(row, style or TerminalStyle()) for row in self.rows)
 
     def latex(self) -> str:
         """Write statements and verdicts as one formula of LaTeX."""
@@ -89,7 +89,7 @@ def explain(claim: str, field: RingName | None = None) -> Explanation:
     return Explanation(tuple(decide_row(found, name) for found, name in pieces))
 
 
-def _text(row: Row, style: Style) -> str:
+def _text(row: Row, style: TerminalStyle) -> str:
     claim = row.claim
     title = f"{claim.id}  {claim.name}"
     lines = [

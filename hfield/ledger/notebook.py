@@ -11,7 +11,7 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row
-from hfield.ledger.claims_table import LATEX_MARKS, Style, marked
+from hfield.ledger.claims_table import LATEX_MARKS, TerminalStyle, marked
 from hfield.ledger.columns import split_columns
 from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
@@ -36,7 +36,7 @@ class Report:
         return rf"\begin{{array}}{{l|{'c' * len(fields)}}}" + "\n".join(lines) + r"\end{array}"
 
     def __str__(self) -> str:
-        return report(self.rows, Style(), chosen=self.chosen)
+        return report(self.rows, TerminalStyle(), chosen=self.chosen)
 
     __repr__ = __str__
 

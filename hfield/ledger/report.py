@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Row
-from hfield.ledger.claims_table import Style, matrix, tally
+from hfield.ledger.claims_table import TerminalStyle, matrix, tally
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.run import as_expected, contradictions
@@ -20,7 +20,7 @@ _WIDTH = 100
 
 
 def report(
-    rows: Sequence[Row], style: Style, *, chosen: bool = False, everything: bool = False
+    rows: Sequence[Row], style: TerminalStyle, *, chosen: bool = False, everything: bool = False
 ) -> str:
     """Write the report. ``chosen`` tables all claims given, else the headline ones only;
     ``everything`` lists every row as well.
@@ -45,7 +45,7 @@ def report(
     return "\n\n".join([*parts, totals(rows, style.width), conclusion(rows, style.width)])
 
 
-def _legend(rows: Sequence[Row], style: Style) -> str:
+def _legend(rows: Sequence[Row], style: TerminalStyle) -> str:
     """Return the meaning of the marks, and of the two columns that are no fields."""
     fields = {row.field for row in rows}
     lines = [style.legend()]
@@ -56,7 +56,7 @@ def _legend(rows: Sequence[Row], style: Style) -> str:
     return "\n".join(lines)
 
 
-def summary(rows: Sequence[Row], style: Style) -> str:
+def summary(rows: Sequence[Row], style: TerminalStyle) -> str:
     """Count claims and rows by section and verdict, with totals; a narrow table has marks for heads."""
     sections = list(dict.fromkeys(row.claim.section for row in rows))
     words = ["section", "claims", *(v.replace("-", " ") for v in VERDICTS)]
@@ -116,7 +116,7 @@ def _plural(n: int, noun: str) -> str:
     return f"{n} {noun}" if n == 1 else f"{n} {noun}s"
 
 
-def erratum_text(erratum: Erratum, style: Style) -> str:
+def erratum_text(erratum: Erratum, style: TerminalStyle) -> str:
     """Write one erratum: the print, where it fails, why, the witness, the correction."""
     claim = erratum.claim
     lines = [style.bold(f"{claim.id}  {claim.name}") + f"  ({claim.kind})"]
@@ -137,7 +137,7 @@ def _undecided(rows: Sequence[Row]) -> list[str]:
     ]
 
 
-def _line(row: Row, style: Style) -> str:
+def _line(row: Row, style: TerminalStyle) -> str:
     decision = row.as_printed
     text = f"{row.claim.id:<10} {row.field:<12} {style.mark(decision.verdict)} {decision.verdict}"
     if decision.verdict != NOT_APPLICABLE:
@@ -150,5 +150,5 @@ def _line(row: Row, style: Style) -> str:
     return text
 
 
-def _wrap(label: str, text: str, style: Style, width: int = _LABEL) -> str:
+def _wrap(label: str, text: str, style: TerminalStyle, width: int = _LABEL) -> str:
     return "\n".join(hanging(f"  {label:<{width}}", text, style.width))

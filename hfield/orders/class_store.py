@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
 
 
-class Record(NamedTuple):
+class ClassRecord(NamedTuple):
     """The lattice that represents a class: a reduced basis, rows over a denominator, and its norm."""
 
     rows: fmpz_mat
@@ -49,7 +49,7 @@ class ClassStore:
     def __len__(self) -> int:
         return len(self.packed)
 
-    def __getitem__(self, n: int) -> Record:
+    def __getitem__(self, n: int) -> ClassRecord:
         return unpack_record(self._ambient, self.packed[n])
 
     def number(self, key: bytes) -> int | None:
@@ -105,11 +105,11 @@ def pack_key(ambient: AlgebraBasis, key: Key) -> bytes:
     return pack(list(map(ambient.domain.code, key)))
 
 
-def unpack_record(ambient: AlgebraBasis, data: bytes) -> Record:
+def unpack_record(ambient: AlgebraBasis, data: bytes) -> ClassRecord:
     """Return the lattice of a class that :func:`pack_class` was given."""
     domain, n, size = ambient.domain, ambient.degree, ambient.size
     number, *codes = unpack(data)
     below, *numbers = map(domain.decode, codes)
     element = ambient.base.element_of([domain.fraction(c, below) for c in numbers[:n]])
     rows = domain.matrix(size, size, numbers[n + 1 :])
-    return Record(rows, numbers[n], Norm(number, element))
+    return ClassRecord(rows, numbers[n], Norm(number, element))

@@ -18,7 +18,7 @@ from hfield.core.packed_integers import pack, unpack
 from hfield.core.sparse_rows import SparseRows
 from hfield.orders.base_values import Prime
 from hfield.orders.class_keys import ClassKeys, Reduced, SublatticeKeys
-from hfield.orders.class_store import PackedClass, Record, pack_class, pack_key, unpack_record
+from hfield.orders.class_store import ClassRecord, PackedClass, pack_class, pack_key, unpack_record
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.neighbours import neighbours_at, two_sided_at
 
@@ -58,14 +58,14 @@ def class_keys(order: LatticeValue) -> ClassKeys:
     return ClassKeys(order)
 
 
-def around(keys: ClassKeys, record: Record, prime: Prime) -> SublatticeKeys:
+def around(keys: ClassKeys, record: ClassRecord, prime: Prime) -> SublatticeKeys:
     """Return the keys of the right ideals of relative norm P in one that represents a class."""
     ideal = keys.ambient.base.prime_ideal(prime)
     return SublatticeKeys(keys, record.rows, record.den, keys.multiplied(record.norm, ideal))
 
 
 def neighbours_inside(
-    keys: ClassKeys, record: Record, prime: Prime
+    keys: ClassKeys, record: ClassRecord, prime: Prime
 ) -> Iterator[tuple[SublatticeKeys, Reduced]]:
     """Yield the right ideals of relative norm P in one, by reduced bases."""
     whole = around(keys, record, prime)
@@ -90,7 +90,9 @@ def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
     return out
 
 
-def partner_inside(keys: ClassKeys, record: Record, prime: Prime) -> tuple[SublatticeKeys, Reduced]:
+def partner_inside(
+    keys: ClassKeys, record: ClassRecord, prime: Prime
+) -> tuple[SublatticeKeys, Reduced]:
     """Return the right ideal that the two-sided ideal of norm P makes of one, by a reduced basis."""
     whole = around(keys, record, prime)
     coordinates = next(two_sided_at(keys.order, prime).inside(whole, record.norm))

@@ -26,7 +26,7 @@ from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import floats, namespace, quiet
 from rotation.rigid_motions import INVERSE_JACOBIAN_TIMES, JACOBIAN_TIMES, cross, jacobian_times
 from rotation.rotation import Rotation
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 
 _STEPS = 80  # of Newton's method; five are enough unless times are very uneven
 _SOLVED_AS_ONE = 24  # equations that are solved as one
@@ -273,5 +273,5 @@ def _series(first: int, derivative: bool) -> list[float]:
 
 
 _B, _DA, _DB = _series(3, False), _series(2, True), _series(3, True)
-_CHANGE = Formula(_change, (3,), (3,))
-_CUBIC = [Formula(_cubic, (11,), (), parameters=(order,)) for order in (0, 1, 2)]
+_CHANGE = RowFormula(_change, (3,), (3,))
+_CUBIC = [RowFormula(_cubic, (11,), (), parameters=(order,)) for order in (0, 1, 2)]

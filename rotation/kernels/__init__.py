@@ -19,7 +19,7 @@ from rotation.kernels import numpy_kernels
 from rotation.kernels.numpy_kernels import Name
 from rotation.kernels.strides import walk
 from rotation.native import builtins
-from rotation.native.strided_loop import Operand, Way, strided_loop
+from rotation.native.strided_loop import OperandLayout, RowLayout, strided_loop
 from rotation.thread_count import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
@@ -126,13 +126,13 @@ def _kernel(name: Name, kinds: tuple[Kind, ...], writes: bool) -> machine_code.F
     if not machine_code.available():
         return None
     operands = [_operand(*kind) for kind in kinds]
-    if writes and operands[-1].way is Way.SAME:  # a batch of one
-        operands[-1] = operands[-1]._replace(way=Way.STRIDED)
+    if writes and operands[-1].way is RowLayout.SAME:  # a batch of one
+        operands[-1] = operands[-1]._replace(way=RowLayout.STRIDED)
     return _loop(name, tuple(operands), writes)
 
 
 @cache
-def _loop(name: Name, operands: tuple[Operand, ...], writes: bool) -> machine_code.Function:
+def _loop(name: Name, operands: tuple[OperandLayout, ...], writes: bool) -> machine_code.Function:
     with machine_code.lock:
         from rotation.kernels import formulas
 
@@ -143,15 +143,15 @@ def _loop(name: Name, operands: tuple[Operand, ...], writes: bool) -> machine_co
         return machine_code.function(machine_code.compiled(text, "entry", announce=_announce))
 
 
-def _operand(width: int, letter: str, component: int, row: int) -> Operand:
-    operand = Operand(width, _NUMBERS[letter], Way.STRIDED)
+def _operand(width: int, letter: str, component: int, row: int) -> OperandLayout:
+    operand = OperandLayout(width, _NUMBERS[letter], RowLayout.STRIDED)
     size = operand.size
     if row == 0:
-        way = Way.SAME
+        way = RowLayout.SAME
     elif row == width * size and (component == size or width == 1):
-        way = Way.SIDE_BY_SIDE
+        way = RowLayout.SIDE_BY_SIDE
     elif row == size:
-        way = Way.COLUMNS
+        way = RowLayout.COLUMNS
     else:
-        way = Way.STRIDED
+        way = RowLayout.STRIDED
     return operand._replace(way=way)

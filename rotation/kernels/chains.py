@@ -17,7 +17,7 @@ from rotation.coordinates import middling
 from rotation.kernels import numpy_kernels
 from rotation.native import builtins, tracing
 from rotation.native.pairs import Pair, two_product, two_sum
-from rotation.native.symbols import Lanes, Program
+from rotation.native.symbols import Lanes, RowFunction
 
 Pairs = tuple[Pair, Pair, Pair, Pair]
 
@@ -42,9 +42,9 @@ def _loop() -> machine_code.Function | None:
         return machine_code.function(machine_code.compiled(module(_entry()), "entry"))
 
 
-def _entry() -> Program:
+def _entry() -> RowFunction:
     """Write the function ``entry(n, addresses)``: one row after the other, in scalars."""
-    program = Program("i64 @entry(i64 %n, ptr %addresses)", width=1)
+    program = RowFunction("i64 @entry(i64 %n, ptr %addresses)", width=1)
     kind = program.kind
     factors, products = program.entries("ptr", "%addresses", 2)
 

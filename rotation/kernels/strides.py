@@ -8,7 +8,7 @@ from rotation.arrays import Shape
 MIN_INNER_AXIS = 64  # an inner axis shorter than this is exchanged with a longer outer one
 
 
-class Walk(NamedTuple):
+class BatchAxes(NamedTuple):
     """The axes of a batch as ``outer × inner``, and how many bytes each array has from place to place."""
 
     outer: int
@@ -17,7 +17,7 @@ class Walk(NamedTuple):
 
 
 @lru_cache(maxsize=1024)  # frame after frame has arrays of the same kind
-def walk(batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]) -> Walk | None:
+def walk(batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]) -> BatchAxes | None:
     """Return the walk through arrays with components last, given by shape and strides.
 
     Each batch broadcasts to ``batch``. None if the common batch does not reduce to two axes of constant
@@ -30,7 +30,7 @@ def walk(batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]) -> Walk | None:
         axes.insert(0, (1, *(0 for _ in arrays)))
     (outer, *outer_strides), (inner, *inner_strides) = axes
     found = zip(arrays, outer_strides, inner_strides, strict=True)
-    return Walk(outer, inner, tuple((own[-1], o, i) for (_, own), o, i in found))
+    return BatchAxes(outer, inner, tuple((own[-1], o, i) for (_, own), o, i in found))
 
 
 def _strides(batch: Shape, shape: Shape, strides: Shape) -> Shape:

@@ -34,7 +34,7 @@ from rotation.native.entry import (
     alike,
     product,
 )
-from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
+from rotation.native.symbols import LIBRARY, WIDTH, Lanes, RowFunction, Rows
 
 AHEAD = 4  # blocks: their memory is prefetched for writing, so that it is not fetched twice
 PREFETCHED_BLOCKS = 8  # blocks: their memory is prefetched for reading while numbers are computed
@@ -176,10 +176,10 @@ def _block(
     parameters: tuple[object, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
-) -> tuple[Program, Shape]:
+) -> tuple[RowFunction, Shape]:
     """Write the formula for eight rows in one piece; return that, and the shape of a row of the result."""
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(shapes)))
-    program = Program(f"internal i1 @block({pointers}, ptr noalias %out) alwaysinline")
+    program = RowFunction(f"internal i1 @block({pointers}, ptr noalias %out) alwaysinline")
     for n, (shape, word) in enumerate(zip(shapes, words, strict=False)):
         if n not in single:
             size = int(np.prod(shape)) * BYTES[word]
@@ -230,7 +230,7 @@ class _Parted(NamedTuple):
     columns: list[str]
 
 
-def _rearranged(program: Program, rows: _Parted, names: list[str]) -> str | None:
+def _rearranged(program: RowFunction, rows: _Parted, names: list[str]) -> str | None:
     """Return eight rows of values that are columns of an array or their negatives, else None.
 
     Numbers change places and signs within the vector of all: nothing is parted into columns and joined again.
@@ -250,7 +250,9 @@ def _rearranged(program: Program, rows: _Parted, names: list[str]) -> str | None
     return program.shuffled(kind, rows.whole, negative, places)
 
 
-def _ask_ahead(program: Program, start: str, size: int, blocks: int, writing: bool = False) -> None:
+def _ask_ahead(
+    program: RowFunction, start: str, size: int, blocks: int, writing: bool = False
+) -> None:
     """Ask for the memory of eight rows of that many bytes, some blocks of eight ahead."""
     lines = -(-size * WIDTH // 64)
     for line in range(lines):
@@ -265,7 +267,7 @@ def _shape(values: Values) -> Shape:
     return (len(values), *_shape(values[0])) if isinstance(values, tuple) else ()
 
 
-def _store(program: Program, names: list[str], word: str) -> None:
+def _store(program: RowFunction, names: list[str], word: str) -> None:
     """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
     width, size, kind = len(names), BYTES[word], vector(word, WIDTH)
     whole = width - width % WIDTH if width >= WIDTH else 0
@@ -282,7 +284,7 @@ def _store(program: Program, names: list[str], word: str) -> None:
             program.store(word, one, program.at(word, "%out", row * width + k), size)
 
 
-def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
+def _transposed(program: RowFunction, columns: list[str], kind: str) -> list[str]:
     """Return eight rows of eight columns, by exchanging halves, quarters and eighths."""
     v = list(columns)
     for d in (1, 2, 4):
@@ -296,7 +298,7 @@ def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
     return v
 
 
-def _store_few(program: Program, names: list[str], word: str) -> None:
+def _store_few(program: RowFunction, names: list[str], word: str) -> None:
     """Write fewer than eight columns, joined in pairs to rows."""
     width = len(names)
     parts = [(n, WIDTH) for n in names]
@@ -317,7 +319,7 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
     _store_rows(program, rows, width, word)
 
 
-def _store_rows(program: Program, rows: str, width: int, word: str) -> None:
+def _store_rows(program: RowFunction, rows: str, width: int, word: str) -> None:
     """Write eight rows that are one vector, in pieces of 16 bytes, the least that numpy aligns memory to.
 
     A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.

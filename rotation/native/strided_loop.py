@@ -15,7 +15,7 @@ from typing import NamedTuple, cast
 from hfield.compiling.instructions import Code, module, vector
 from rotation.array_types import Array
 from rotation.native import tracing
-from rotation.native.symbols import WIDTH, Condition, Lanes, Program, Rows
+from rotation.native.symbols import WIDTH, LaneMask, Lanes, RowFunction, Rows
 
 BLOCK = 512  # rows at a time; what is copied for a block stays in the nearest cache
 TAKE = 16  # blocks a thread takes at a time
@@ -32,12 +32,12 @@ Fast = Callable[..., tuple[tuple[Array, ...], Array | None]]  # formulas on symb
 Careful = Callable[..., tuple[Array, ...]]
 
 
-def _symbols_of(fast: Fast, rows: Sequence[Rows]) -> tuple[tuple[Lanes, ...], Condition | None]:
+def _symbols_of(fast: Fast, rows: Sequence[Rows]) -> tuple[tuple[Lanes, ...], LaneMask | None]:
     """Run a formula on symbols, which it takes for arrays."""
-    return cast("tuple[tuple[Lanes, ...], Condition | None]", fast(*rows))
+    return cast("tuple[tuple[Lanes, ...], LaneMask | None]", fast(*rows))
 
 
-class Way(Enum):
+class RowLayout(Enum):
     """How the rows of an operand lie in memory."""
 
     SIDE_BY_SIDE = "one after the other, their components side by side"
@@ -46,12 +46,12 @@ class Way(Enum):
     STRIDED = "anyhow else: a block is copied to columns"
 
 
-class Operand(NamedTuple):
+class OperandLayout(NamedTuple):
     """What a program knows of an array beforehand: components, LLVM's word for its numbers, and the way."""
 
     width: int
     number: str
-    way: Way
+    way: RowLayout
 
     @property
     def size(self) -> int:
@@ -61,13 +61,17 @@ class Operand(NamedTuple):
     @property
     def step(self) -> int:
         """The bytes from one row to the next, in memory or in the columns that a block is copied to."""
-        if self.way is Way.SAME:
+        if self.way is RowLayout.SAME:
             return 0
-        return self.size * (self.width if self.way is Way.SIDE_BY_SIDE else 1)
+        return self.size * (self.width if self.way is RowLayout.SIDE_BY_SIDE else 1)
 
 
 def strided_loop(
-    fast: Fast, careful: Careful | None, operands: tuple[Operand, ...], results: int, number: str
+    fast: Fast,
+    careful: Careful | None,
+    operands: tuple[OperandLayout, ...],
+    results: int,
+    number: str,
 ) -> str:
     """Write the function ``entry(counter, table)``: it takes blocks from the counter until none is left.
 
@@ -77,7 +81,7 @@ def strided_loop(
 
     Parameters
     ----------
-    operands : tuple of `Operand`
+    operands : tuple of `OperandLayout`
         Those that are read, then the one that is written.
     results : int
         How many operands are written: 1, or 0 where the formula only tells.
@@ -98,13 +102,15 @@ def _given(operands: Sequence[object]) -> str:
     return "".join(f", ptr %p{n}, i64 %c{n}" for n in range(len(operands)))
 
 
-def _stretch(fast: Fast, operands: tuple[Operand, ...], results: int, number: str) -> Program:
+def _stretch(
+    fast: Fast, operands: tuple[OperandLayout, ...], results: int, number: str
+) -> RowFunction:
     """Write the fast loop from row ``first`` on: it returns the row where one is not right, else ``end``."""
     head = f"internal i64 @stretch(i64 %first, i64 %end{_given(operands)}) noinline"
-    program = Program(head, number, fused=True)
+    program = RowFunction(head, number, fused=True)
     columns = [_columns(program, n, operand) for n, operand in enumerate(operands)]
     read = list(zip(operands, columns, strict=True))[: len(operands) - results]
-    points = any(o.way is Way.SIDE_BY_SIDE and o.width == 3 for o in operands)
+    points = any(o.way is RowLayout.SIDE_BY_SIDE and o.width == 3 for o in operands)
     order = BY_PLACES if points else IN_ORDER
 
     def turn(i: str) -> None:
@@ -122,14 +128,14 @@ def _stretch(fast: Fast, operands: tuple[Operand, ...], results: int, number: st
 def _eight(
     fast: Fast,
     careful: Careful | None,
-    operands: tuple[Operand, ...],
+    operands: tuple[OperandLayout, ...],
     results: int,
     number: str,
-) -> Program:
+) -> RowFunction:
     """Write the function for eight rows in columns of eight; it returns whether it flagged one."""
     pointers = ", ".join(f"ptr %p{n}" for n in range(len(operands)))
-    program = Program(f"internal i1 @eight({pointers})", number, fused=True)
-    near = [operand._replace(way=Way.COLUMNS) for operand in operands]
+    program = RowFunction(f"internal i1 @eight({pointers})", number, fused=True)
+    near = [operand._replace(way=RowLayout.COLUMNS) for operand in operands]
     columns = [
         [program.at("i8", f"%p{n}", k * WIDTH * operand.size) for k in range(operand.width)]
         for n, operand in enumerate(operands)
@@ -154,7 +160,7 @@ def _eight(
     return program
 
 
-def _few(operands: tuple[Operand, ...], results: int) -> Code:
+def _few(operands: tuple[OperandLayout, ...], results: int) -> Code:
     """Write the function that does up to eight rows of whatever kind through a buffer.
 
     The last one is repeated to fill up, so that each row is computed as in any other place.
@@ -176,7 +182,7 @@ def _few(operands: tuple[Operand, ...], results: int) -> Code:
     return code
 
 
-def _entry(operands: tuple[Operand, ...], results: int) -> Code:
+def _entry(operands: tuple[OperandLayout, ...], results: int) -> Code:
     """Write the walk over the blocks."""
     code = Code("i64 @entry(ptr %counter, ptr %table)")
     v = code.value
@@ -184,7 +190,7 @@ def _entry(operands: tuple[Operand, ...], results: int) -> Code:
     each = v(f"sdiv i64 {v(f'add i64 {inner}, {BLOCK - 1}')}, {BLOCK}")
     total = v(f"mul i64 {outer}, {each}")
     buffers = [
-        code.allocate(f"[{BLOCK * o.size * o.width} x i8]") if o.way is Way.STRIDED else ""
+        code.allocate(f"[{BLOCK * o.size * o.width} x i8]") if o.way is RowLayout.STRIDED else ""
         for o in operands
     ]
 
@@ -201,7 +207,7 @@ def _entry(operands: tuple[Operand, ...], results: int) -> Code:
         row = v(f"mul i64 {v(f'srem i64 {number}, {each}')}, {BLOCK}")
         length = least(v(f"sub i64 {inner}, {row}"), str(BLOCK))
         along = v(f"sdiv i64 {number}, {each}")
-        passed, copies = list[str](), list[tuple[Operand, str, str]]()
+        passed, copies = list[str](), list[tuple[OperandLayout, str, str]]()
         for n, (o, buffer) in enumerate(zip(operands, buffers, strict=True)):
             start, column, step, inner_step = places[4 * n : 4 * n + 4]
             offset = v(
@@ -271,7 +277,7 @@ def _copy(size: int) -> Code:
     return code
 
 
-def _copied(code: Code, operand: Operand, to: str, source: str, rows: str, last: str) -> None:
+def _copied(code: Code, operand: OperandLayout, to: str, source: str, rows: str, last: str) -> None:
     """Write a call that copies an operand's rows."""
     given = f"{to}, {source}, i64 {operand.width}, i64 {rows}, i64 {last}"
     code.do(f"call void @copy{operand.size}({given})")
@@ -280,32 +286,32 @@ def _copied(code: Code, operand: Operand, to: str, source: str, rows: str, last:
 # --- eight rows of an operand --------------------------------------------------------------------
 
 
-def _columns(program: Program, n: int, operand: Operand) -> list[str]:
+def _columns(program: RowFunction, n: int, operand: OperandLayout) -> list[str]:
     """Add what the loop needs of an operand before it begins: its columns, or its one row spread out."""
-    if operand.way is Way.SIDE_BY_SIDE:
+    if operand.way is RowLayout.SIDE_BY_SIDE:
         return [f"%p{n}"]
     found = [
         program.at("i8", f"%p{n}", program.value(f"mul i64 %c{n}, {k}"))
         for k in range(operand.width)
     ]
-    if operand.way is not Way.SAME:
+    if operand.way is not RowLayout.SAME:
         return found
     numbers = (program.load(operand.number, place, operand.size) for place in found)
     return [program.spread(operand.number, x, WIDTH) for x in numbers]
 
 
 def _read(
-    program: Program,
-    operand: Operand,
+    program: RowFunction,
+    operand: OperandLayout,
     columns: list[str],
     i: str,
     order: tuple[int, ...] = IN_ORDER,
 ) -> Rows:
     """Add the reading of eight rows from row ``i`` on, in this order."""
     kind = vector(operand.number, WIDTH)
-    if operand.way is Way.SAME:
+    if operand.way is RowLayout.SAME:
         numbers = columns
-    elif operand.way is Way.SIDE_BY_SIDE:
+    elif operand.way is RowLayout.SIDE_BY_SIDE:
         numbers = _parted(program, operand, columns[0], i, order)
     else:
         if i != "0":
@@ -322,7 +328,12 @@ def _read(
 
 
 def _ahead(
-    program: Program, operand: Operand, columns: list[str], i: str, rows: int, writing: bool
+    program: RowFunction,
+    operand: OperandLayout,
+    columns: list[str],
+    i: str,
+    rows: int,
+    writing: bool,
 ) -> None:
     """Ask for the memory of eight rows to come."""
     step = operand.step
@@ -333,13 +344,13 @@ def _ahead(
             program.ahead(program.at("i8", column, offset), writing)
 
 
-def _ordered(program: Program, kind: str, column: str, order: tuple[int, ...]) -> str:
+def _ordered(program: RowFunction, kind: str, column: str, order: tuple[int, ...]) -> str:
     """Return a column with its rows in another order."""
     return column if order == IN_ORDER else program.shuffled(kind, column, column, order)
 
 
 def _parted(
-    program: Program, operand: Operand, base: str, i: str, order: tuple[int, ...]
+    program: RowFunction, operand: OperandLayout, base: str, i: str, order: tuple[int, ...]
 ) -> list[str]:
     """Add the reading of rows whose components lie side by side, and their parting into columns."""
     n, number = operand.width, operand.number
@@ -364,7 +375,7 @@ def _parted(
     ]
 
 
-def _column(program: Program, kind: str, parts: list[str], k: int) -> str:
+def _column(program: RowFunction, kind: str, parts: list[str], k: int) -> str:
     """Return every n-th number of n vectors, from number k on, gathered part after part."""
     n = len(parts)
     column, found = parts[0], list(range(k, WIDTH, n))
@@ -376,7 +387,7 @@ def _column(program: Program, kind: str, parts: list[str], k: int) -> str:
     return column
 
 
-def _selected(program: Program, kind: str, three: Sequence[str], k: int) -> str:
+def _selected(program: RowFunction, kind: str, three: Sequence[str], k: int) -> str:
     """Return at each place p what one of three vectors has there: the (p − k)-th modulo 3.
 
     Of components side by side the k-th lies at the places p of the part p − k; the part k has at p the
@@ -394,8 +405,8 @@ def _turned(k: int) -> tuple[int, ...]:
 
 
 def _write(
-    program: Program,
-    operand: Operand,
+    program: RowFunction,
+    operand: OperandLayout,
     columns: list[str],
     image: tuple[Lanes, ...],
     i: str,
@@ -407,7 +418,7 @@ def _write(
     numbers = [_converted(program, x.name, program.number, number) for x in image]
     if i != "0":
         _ahead(program, operand, columns, i, WRITTEN_AHEAD, writing=True)
-    if operand.way is Way.SIDE_BY_SIDE:
+    if operand.way is RowLayout.SIDE_BY_SIDE:
         moved = [_ordered(program, kind, x, _turned(-k)) for k, x in enumerate(numbers)]
         start = program.at(number, columns[0], program.value(f"mul i64 {i}, 3"))
         for m in range(3):
@@ -419,7 +430,7 @@ def _write(
         program.store(kind, x, program.at(number, column, i), operand.size)
 
 
-def _converted(program: Program, name: str, number: str, wanted: str) -> str:
+def _converted(program: RowFunction, name: str, number: str, wanted: str) -> str:
     """Add the conversion of eight numbers to another precision, where it is another."""
     if number == wanted:
         return name

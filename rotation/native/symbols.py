@@ -18,7 +18,7 @@ float64 = np.dtype(np.float64)
 _WORDS = {"double": "f64", "float": "f32"}
 
 
-class Program(Code):
+class RowFunction(Code):
     """A function whose values are rows of numbers.
 
     Parameters
@@ -80,7 +80,7 @@ class Lanes:
     ndim = 0
     dtype = float64
 
-    def __init__(self, program: Program, name: str) -> None:
+    def __init__(self, program: RowFunction, name: str) -> None:
         self.program, self.name = program, name
 
     @property
@@ -137,33 +137,33 @@ class Lanes:
         program.opposites[name] = self.name
         return Lanes(program, name)
 
-    def _compared(self, how: str, other: "Lanes | float") -> "Condition":
+    def _compared(self, how: str, other: "Lanes | float") -> "LaneMask":
         program = self.program
         line = f"fcmp {how} {self.kind} {self.name}, {program.name_of(other)}"
-        return Condition(program, program.value(line))
+        return LaneMask(program, program.value(line))
 
-    def __lt__(self, other: "Lanes | float") -> "Condition":
+    def __lt__(self, other: "Lanes | float") -> "LaneMask":
         return self._compared("olt", other)
 
-    def __le__(self, other: "Lanes | float") -> "Condition":
+    def __le__(self, other: "Lanes | float") -> "LaneMask":
         return self._compared("ole", other)
 
-    def __gt__(self, other: "Lanes | float") -> "Condition":
+    def __gt__(self, other: "Lanes | float") -> "LaneMask":
         return self._compared("ogt", other)
 
-    def __ge__(self, other: "Lanes | float") -> "Condition":
+    def __ge__(self, other: "Lanes | float") -> "LaneMask":
         return self._compared("oge", other)
 
-    def __eq__(self, other: "Lanes | float") -> "Condition":  # type: ignore[override]
+    def __eq__(self, other: "Lanes | float") -> "LaneMask":  # type: ignore[override]
         return self._compared("oeq", other)
 
-    def __ne__(self, other: "Lanes | float") -> "Condition":  # type: ignore[override]
+    def __ne__(self, other: "Lanes | float") -> "LaneMask":  # type: ignore[override]
         return self._compared("une", other)
 
     __hash__ = None  # type: ignore[assignment]
 
 
-class Condition(Lanes):
+class LaneMask(Lanes):
     """What holds or does not in each of eight rows."""
 
     __slots__ = ()
@@ -173,17 +173,17 @@ class Condition(Lanes):
         """LLVM's word for what this is."""
         return self.program.bits
 
-    def _bits(self, operation: str, other: str) -> "Condition":
+    def _bits(self, operation: str, other: str) -> "LaneMask":
         line = f"{operation} {self.kind} {self.name}, {other}"
-        return Condition(self.program, self.program.value(line))
+        return LaneMask(self.program, self.program.value(line))
 
-    def __and__(self, other: "Condition") -> "Condition":
+    def __and__(self, other: "LaneMask") -> "LaneMask":
         return self._bits("and", other.name)
 
-    def __or__(self, other: "Condition") -> "Condition":
+    def __or__(self, other: "LaneMask") -> "LaneMask":
         return self._bits("or", other.name)
 
-    def __invert__(self) -> "Condition":
+    def __invert__(self) -> "LaneMask":
         return self._bits("xor", alike("i1", "true", self.program.width))
 
 
@@ -232,5 +232,5 @@ def library(name: str, *values: "Lanes | float") -> Lanes:
     return Lanes(program, found)
 
 
-def _program(*values: "Lanes | float") -> Program:
+def _program(*values: "Lanes | float") -> RowFunction:
     return next(v.program for v in values if isinstance(v, Lanes))

@@ -17,7 +17,7 @@ from hfield.compiling.instructions import alike, vector
 from rotation.array_types import Array, SymbolNamespace
 from rotation.native import elementary
 from rotation.native.pairs import PairLike
-from rotation.native.symbols import Condition, Lanes, Rows, intrinsic, library
+from rotation.native.symbols import LaneMask, Lanes, Rows, intrinsic, library
 
 _INFO = np.finfo(np.float64)
 _LIMITS = SimpleNamespace(
@@ -100,11 +100,11 @@ def remainder(x: Number, y: Number) -> Lanes:
     return library("fmod", x, y)
 
 
-def where(condition: Condition, yes: Number, no: Number) -> Lanes:
+def where(condition: LaneMask, yes: Number, no: Number) -> Lanes:
     """Return one of two values, row by row."""
     program = condition.program
-    made = Condition if isinstance(yes, Condition) else Lanes
-    kind = program.bits if made is Condition else program.kind
+    made = LaneMask if isinstance(yes, LaneMask) else Lanes
+    kind = program.bits if made is LaneMask else program.kind
     a, b = program.name_of(yes), program.name_of(no)
     line = f"select {program.bits} {condition.name}, {kind} {a}, {kind} {b}"
     return made(program, program.value(line))
@@ -115,14 +115,14 @@ def maximum(x: Lanes, y: Number) -> Lanes:
     return where(y > x, y, x)
 
 
-def isfinite(x: Lanes | Rows) -> Condition | list[Condition]:
+def isfinite(x: Lanes | Rows) -> LaneMask | list[LaneMask]:
     """Return where numbers are finite; for `Rows` a list of that."""
     if isinstance(x, Rows):
         return [abs(v) < math.inf for v in x.values]
     return abs(x) < math.inf
 
 
-def all(conditions: Sequence[Condition], axis: int | None = None) -> Condition:
+def all(conditions: Sequence[LaneMask], axis: int | None = None) -> LaneMask:
     """Return where all conditions hold."""
     holds, *others = conditions
     for other in others:
@@ -130,23 +130,23 @@ def all(conditions: Sequence[Condition], axis: int | None = None) -> Condition:
     return holds
 
 
-def bit(x: Lanes, number: int) -> Condition:
+def bit(x: Lanes, number: int) -> LaneMask:
     """Return where bit ``number`` of a double's memory is set."""
     program = x.program
     kind, chosen = vector("i64", program.width), alike("i64", 1 << number, program.width)
     bits = program.value(f"bitcast {x.kind} {x.name} to {kind}")
     found = program.value(f"and {kind} {bits}, {chosen}")
-    return Condition(program, program.value(f"icmp ne {kind} {found}, zeroinitializer"))
+    return LaneMask(program, program.value(f"icmp ne {kind} {found}, zeroinitializer"))
 
 
 def rarely(
-    condition: Condition, compute: Callable[[], tuple[Lanes, ...]], usual: tuple[Lanes, ...]
+    condition: LaneMask, compute: Callable[[], tuple[Lanes, ...]], usual: tuple[Lanes, ...]
 ) -> tuple[Lanes, ...]:
     """Return ``compute()`` where the condition holds in one of the rows at least, else ``usual``."""
     return condition.program.rarely(condition.name, compute, usual)
 
 
-def flag_if(condition: Condition) -> None:
+def flag_if(condition: LaneMask) -> None:
     """Make the function return True if the condition holds in a row."""
     condition.program.conditions.append(condition.name)
 

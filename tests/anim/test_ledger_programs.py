@@ -156,7 +156,7 @@ def test_the_last_frame_by_the_pipelines() -> None:
 
 
 def test_multiplications_are_counted() -> None:
-    t = optimised.Tally()
+    t = optimised.MultiplicationCounter()
     code("crossProduct")([t, t, t], [t, t, t])
     assert t.count == 6
     one, other = optimised.work(1), optimised.work(1001)

@@ -9,7 +9,7 @@ from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import STYLES, Camera, RenderSettings, painter
 from anim.picture.styles.shaded import LINEAR
-from anim.rendering import Task, draw
+from anim.rendering import FrameTask, draw
 from tests.anim.cones import cone_hits, interior, random_rotation, rays
 from tests.anim.test_picture_projection import about_y, about_z
 
@@ -49,7 +49,7 @@ def test_pictures_depend_on_the_arguments_only(style):
         own = pool.map(lambda job: painter(MODEL, look).draw(*job).tobytes(), jobs)
         assert first == list(own)
         tasks = [
-            Task(MODEL, look, matrix[None], trail, np.zeros((1, 3))) for matrix, trail in jobs
+            FrameTask(MODEL, look, matrix[None], trail, np.zeros((1, 3))) for matrix, trail in jobs
         ] * 8
         drawn = [picture.tobytes() for picture in pool.map(draw, tasks)]
         assert drawn == first * 8

@@ -13,7 +13,7 @@ from hfield.compiling import memory
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError
 from hfield.fields.base.arrays import check_shapes, objects, one_shape
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 from tests.subcases import first_quick, subcases
 
 NAMES = ("QQ", "QQ[x]", "GF(5)[x,y]", "ZZ/6", "QQ(sqrt(2))", "QQ(x)[u]/(u^2-x)")
@@ -87,7 +87,7 @@ def test_storage_of_elements_over_any_ring(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_storage_of_arrays_over_any_ring(name: str) -> None:
     R, constants, elements = drawn(name)
-    stored, one = Batch(R, constants), Storage(R, constants)
+    stored, one = BatchStorage(R, constants), Storage(R, constants)
     columns = [[p[n] for p in elements] for n in range(4)]
     p = stored.read(tuple(columns))
     q = stored.read(tuple(list(reversed(c)) for c in columns))

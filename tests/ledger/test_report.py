@@ -3,7 +3,7 @@
 import pytest
 
 from hfield.ledger.claim import PANEL, Claim, Row
-from hfield.ledger.claims_table import Style, matrix
+from hfield.ledger.claims_table import TerminalStyle, matrix
 from hfield.ledger.columns import head, split_columns
 from hfield.ledger.errata import errata
 from hfield.ledger.markdown import markdown
@@ -104,7 +104,7 @@ def panel_rows():
 @pytest.mark.parametrize("width", [100, 80, 60, 40])
 @pytest.mark.parametrize("ascii_only", [False, True])
 def test_the_table_fits(width, ascii_only):
-    style = Style(width, ascii_only)
+    style = TerminalStyle(width, ascii_only)
     out = matrix(panel_rows(), style)
     assert max(map(len, out.splitlines())) <= width
     assert ascii_only is out.isascii() or "…" in out
@@ -118,27 +118,27 @@ def test_the_table_fits(width, ascii_only):
 
 
 def test_at_100_columns_the_panel_is_one_block():
-    out = matrix(panel_rows(), Style(100))
+    out = matrix(panel_rows(), TerminalStyle(100))
     assert len(out.splitlines()) == 2 + len(NAMES)
 
 
 def test_marks_stand_under_their_heads():
-    lines = matrix(panel_rows(), Style(100)).splitlines()
+    lines = matrix(panel_rows(), TerminalStyle(100)).splitlines()
     for n, field in enumerate(PANEL):
         start = lines[0].index(f" {head(field)}") + 1
         under = lines[2][start : start + len(head(field))]
-        assert under.strip() == Style().mark(VERDICTS[n % 5])
+        assert under.strip() == TerminalStyle().mark(VERDICTS[n % 5])
 
 
 def test_few_columns_are_written_out():
     c = claim()
-    out = matrix([row("QQ(sqrt(2))", "proved", c), row("GF(9)", "refuted", c)], Style(100))
+    out = matrix([row("QQ(sqrt(2))", "proved", c), row("GF(9)", "refuted", c)], TerminalStyle(100))
     assert "QQ(sqrt(2))" in out.splitlines()[0]
 
 
 def test_colour_only_where_wanted():
-    assert "\x1b" not in matrix(panel_rows(), Style(100))
-    assert "\x1b[32m✓\x1b[0m" in matrix(panel_rows(), Style(100, colour=True))
+    assert "\x1b" not in matrix(panel_rows(), TerminalStyle(100))
+    assert "\x1b[32m✓\x1b[0m" in matrix(panel_rows(), TerminalStyle(100, colour=True))
 
 
 def test_summary_and_totals():
@@ -148,7 +148,7 @@ def test_summary_and_totals():
         row("QQ", "vacuous", claim("C1.2-a")),
         row("QQ", "not-applicable", Claim("C1.2-b", "b", "remark", "An opinion", "", None)),
     ]
-    lines = [line.split() for line in summary(rows, Style()).splitlines()]
+    lines = [line.split() for line in summary(rows, TerminalStyle()).splitlines()]
     assert lines[1] == ["1.1", "1", "1", "1", "0", "0", "0"]
     assert lines[2] == ["1.2", "2", "0", "0", "1", "0", "1"]
     assert lines[3] == ["total", "3", "1", "1", "1", "0", "1"]
@@ -234,18 +234,20 @@ def test_the_report_has_all_its_parts():
         row("QQ", "refuted", slip, {"p": UNIT_I, "q": UNIT_J}, "proved"),
         row("RR", "undecided", slip),
     ]
-    out = report(rows, Style(100))
+    out = report(rows, TerminalStyle(100))
     order = ["Headline claims", "The other claims", "Undecided", "Errata", "2 claims, 3 rows"]
     assert [out.index(text) for text in order] == sorted(out.index(text) for text in order)
     assert "[p, q] = p·q − q·p" in out
     assert "p = i, q = j over QQ" in out
-    chosen = report(rows, Style(100), chosen=True)
+    chosen = report(rows, TerminalStyle(100), chosen=True)
     assert "The other claims" not in chosen
     assert "C1-b" in chosen.partition("Errata")[0]
 
 
 def test_a_false_correction_is_a_contradiction():
-    out = report([row("QQ", "refuted", claim(corrected=Words()), None, "refuted")], Style(100))
+    out = report(
+        [row("QQ", "refuted", claim(corrected=Words()), None, "refuted")], TerminalStyle(100)
+    )
     assert "Contradictions" in out
     assert "its correction is refuted over QQ" in out
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rotation.native import builtins, tracing
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 from tests.rotation.reference import mp
 
 pytestmark = pytest.mark.skipif(not builtins.available(), reason="there is no machine code")
@@ -37,7 +37,7 @@ def made(request: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
     """How to compile a function of numbers: with all that the processor has, and without."""
     if request.param != "as here" and hasattr(tracing, "fma"):
         monkeypatch.delattr(tracing, "fma")
-    return lambda f, count: Formula(f, *[()] * count)
+    return lambda f, count: RowFormula(f, *[()] * count)
 
 
 def ulps(found: Any, wanted: list[Any], low: Any = None) -> float:

@@ -18,7 +18,7 @@ from rotation.namespaces import namespace, quiet
 from rotation.native import builtins
 from rotation.native.entry import MUCH
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER, _product, normalise
-from rotation.rowwise import Formula
+from rotation.rowwise import RowFormula
 from tests.subcases import subcases
 
 RNG = np.random.default_rng(11)
@@ -61,7 +61,7 @@ def test_formulas_may_only_move_numbers_and_change_signs(
         columns = tuple(-q[..., k] if sign < 0 else q[..., k] for k, sign in pairs)
         return namespace(q).stack(columns, axis=-1)
 
-    formula = Formula(moved, (width,))
+    formula = RowFormula(moved, (width,))
     for n in (1, 8, 21):
         rows = RNG.standard_normal((n, width))
         rows[0, 0] = -0.0
@@ -119,7 +119,7 @@ def test_every_stride_and_alignment() -> None:
 
 
 def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
-    formula = Formula(normalise, (4,))
+    formula = RowFormula(normalise, (4,))
     for n in (1, 3, 8, 19):
         q = RNG.standard_normal((n, 4))
         assert not formula.with_flag(q)[1]
@@ -252,7 +252,7 @@ def test_what_a_builtin_does_not_take_is_answered_by_none() -> None:
 
 @compiled
 def test_nothing_is_made_of_rows_of_which_something_is_told() -> None:
-    formula = Formula(normalise, (4,))
+    formula = RowFormula(normalise, (4,))
     zeros = np.zeros((3, 4))
     formula(UNITS[:3])
     assert formula.function(None, UNITS[:3]) is not None
@@ -264,7 +264,7 @@ def test_nothing_is_made_of_rows_of_which_something_is_told() -> None:
 
 @compiled
 def test_what_is_made_and_what_is_not_leaves_no_reference_behind() -> None:
-    r, formula = Marked(UNITS[:3]), Formula(normalise, (4,))
+    r, formula = Marked(UNITS[:3]), RowFormula(normalise, (4,))
     zeros, one, two = np.zeros((3, 4)), np.ones(4), 7 * UNITS[:2]
 
     def all_ways() -> None:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from hfield.algebra.quaternion_algebra import QuaternionAlgebra
     from hfield.cli.commands.brandt_graph import BrandtGraph
-    from hfield.ledger.claims_table import Style
+    from hfield.ledger.claims_table import TerminalStyle
     from hfield.orders.lattice import ClassSet
 
 HELP = (
@@ -127,7 +127,7 @@ def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
         found = rows if sparse else [dict(enumerate(row)) for row in matrix]
         return "\n".join(_edges(found))
 
-    def page(style: Style) -> str:
+    def page(style: TerminalStyle) -> str:
         return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
 
     return OutputDocument(data, page, {"latex": latex, "edges": edges})

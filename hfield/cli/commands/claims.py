@@ -14,7 +14,7 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.ledger.claim import Claim
-    from hfield.ledger.claims_table import Style
+    from hfield.ledger.claims_table import TerminalStyle
 
 HELP = (
     "List the claims of the thesis: id, name, kind and statement. A star marks the headline claims."
@@ -83,7 +83,7 @@ def _markdown(chosen: Sequence[Claim]) -> str:
     )
 
 
-def _table(chosen: Sequence[Claim], style: Style) -> str:
+def _table(chosen: Sequence[Claim], style: TerminalStyle) -> str:
     from hfield.presenting import hanging
 
     ids, names, kinds = (

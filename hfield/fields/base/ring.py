@@ -31,7 +31,7 @@ from hfield.fields.base.foreign_values import describe
 from hfield.fields.base.powers import power
 from hfield.fields.base.printing import from_unicode, number_text
 from hfield.fields.base.registry import REGISTRY
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 
 if TYPE_CHECKING:
     import numpy as np
@@ -641,13 +641,13 @@ class Ring(
 
         return Plain(self, constants)
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Return the storage of arrays of such elements: by default each entry is stored by :meth:`storage`.
 
         A ring whose arrays are a library's own computes with four of those.
         """
         if type(self).array is not WithArrays.array:
-            return Batch(self, constants)
+            return BatchStorage(self, constants)
         from hfield.fields.base.array_storage.object_arrays import ObjectArrays
 
         return ObjectArrays(self, constants)

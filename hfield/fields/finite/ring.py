@@ -18,7 +18,7 @@ from hfield.fields.base.modular import Modular
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import FINITE_LIMIT, Fact, Ring, shared
 from hfield.fields.base.roots import of_flint
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.fields.finite import tables
 from hfield.fields.finite.storage import PolynomialStorage
 from hfield.fields.rationals.ring import ZZ
@@ -72,7 +72,7 @@ class FiniteField(Ring):
         """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
         return _arrays().of_labels(self, row)
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Store arrays as rows of labels, unless the field is too large."""
         from hfield.fields.base.array_storage.finite import array_storage
 

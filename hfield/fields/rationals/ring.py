@@ -17,7 +17,7 @@ from hfield.fields.base.modular import Modular
 from hfield.fields.base.printing import number_text
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.roots import of_flint, rational_roots
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.fields.base.value_ring import ValueRing
 from hfield.fields.rationals.rational_numbers import rational_number
 
@@ -118,7 +118,7 @@ class Integers(_Ordered):
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Store arrays as rows of 64-bit integers, as long as they fit."""
         from hfield.fields.base.array_storage.words import WholeArrays
 
@@ -189,7 +189,7 @@ class Rationals(_Ordered):
             return self.foreign(x)
         return fmpq(number)
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Store arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
         from hfield.fields.base.array_storage.fractions import FractionArrays
 
@@ -261,7 +261,7 @@ class Residues(Modular):
 
         return objects(row, lambda n: self(int(n)))
 
-    def array_storage(self, constants: Constants) -> Batch:
+    def array_storage(self, constants: Constants) -> BatchStorage:
         """Store arrays as rows of residues, unless the modulus is too large."""
         from hfield.fields.base.array_storage.finite import array_storage
 

@@ -256,7 +256,7 @@ MAX_WAYS = 300
 
 
 @dataclass(frozen=True)
-class Way:
+class EliminationBranch:
     """A way through the elimination: ``nonzero`` factors are not 0, the ``zero`` ones are."""
 
     rows: tuple[Row, ...]
@@ -271,9 +271,9 @@ class Elimination:
     def __init__(self, coefficients: FieldCoefficients, width: int, clock: Clock) -> None:
         self.of, self.width, self.clock, self.ways = coefficients, width, clock, 0
 
-    def start(self, rows: Sequence[Row], known: Sequence[flint.fmpz_mpoly]) -> Way:
+    def start(self, rows: Sequence[Row], known: Sequence[flint.fmpz_mpoly]) -> EliminationBranch:
         """Return the system before the elimination, some polynomials that are 0 used."""
-        way = Way(tuple(map(self.of.primitive, rows)))
+        way = EliminationBranch(tuple(map(self.of.primitive, rows)))
         for f in known:
             factors = self.of.factors(f) if f != 0 else []
             if len(factors) == 1:
@@ -281,7 +281,7 @@ class Elimination:
                 way = replace(way, rows=self.without(way.rows, g), zero=(*way.zero, g))
         return way
 
-    def eliminate(self, way: Way) -> Iterator[Way]:
+    def eliminate(self, way: EliminationBranch) -> Iterator[EliminationBranch]:
         """Run through the ways to eliminate."""
         self.ways += 1
         if self.ways > MAX_WAYS or self.clock.is_late:
@@ -313,7 +313,7 @@ class Elimination:
                     )
                 )
 
-    def pivot(self, way: Way) -> tuple[int, int] | None:
+    def pivot(self, way: EliminationBranch) -> tuple[int, int] | None:
         """Return the place of the simplest coefficient that may be a pivot."""
         best, place = None, None
         rows, columns = {r for r, _ in way.pivots}, {c for _, c in way.pivots}
@@ -359,7 +359,7 @@ class Elimination:
         return tuple(rows)
 
     def solutions(
-        self, way: Way, unequal: int
+        self, way: EliminationBranch, unequal: int
     ) -> Iterator[tuple[list[flint.fmpz_mpoly], flint.fmpz_mpoly]]:
         """Run through solutions as numerators with a common denominator.
 

@@ -235,19 +235,19 @@ MAX_QUATERNION_DEGREE = 1_000
 
 
 @dataclass(frozen=True)
-class Top:
+class LeadingTerm:
     """What a polynomial has at the top: its degree at most, and whether that is one monomial, not 0."""
 
     degree: int
     single: bool
 
-    def __add__(self, other: Top) -> Top:
+    def __add__(self, other: LeadingTerm) -> LeadingTerm:
         if self.degree == other.degree:
-            return Top(self.degree, False)
+            return LeadingTerm(self.degree, False)
         return self if self.degree > other.degree else other
 
-    def __mul__(self, other: Top) -> Top:
-        return Top(self.degree + other.degree, self.single and other.single)
+    def __mul__(self, other: LeadingTerm) -> LeadingTerm:
+        return LeadingTerm(self.degree + other.degree, self.single and other.single)
 
 
 def _by_quaternion_root(problem: Problem) -> Decision | None:
@@ -264,7 +264,7 @@ def _by_quaternion_root(problem: Problem) -> Decision | None:
     sides = [_top(side, name) for side in (node.left, node.right)]
     if statement.sorts[name] is not Sort.QUATERNION or None in sides:
         return None
-    top = sum((side for side in sides if side is not None), Top(-1, False))
+    top = sum((side for side in sides if side is not None), LeadingTerm(-1, False))
     if not (1 <= top.degree <= MAX_QUATERNION_DEGREE and top.single):
         return None
     steps = (
@@ -281,13 +281,13 @@ def _by_quaternion_root(problem: Problem) -> Decision | None:
     )
 
 
-def _top(node: Node, name: str) -> Top | None:
+def _top(node: Node, name: str) -> LeadingTerm | None:
     """Return what a term has at the top as a polynomial in the name, None where it is none."""
     if not occurrences(node, name):
-        return Top(0, _is_not_zero(node))
+        return LeadingTerm(0, _is_not_zero(node))
     match node:
         case Name():
-            return Top(1, True)
+            return LeadingTerm(1, True)
         case Negate(x):
             return _top(x, name)
         case Binary("+" | "-" | "*" as op, x, y):
@@ -297,7 +297,7 @@ def _top(node: Node, name: str) -> Top | None:
             return left * right if op == "*" else left + right
         case Power(x, n) if n >= 0:
             base = _top(x, name)
-            return None if base is None else Top(n * base.degree, base.single)
+            return None if base is None else LeadingTerm(n * base.degree, base.single)
     return None
 
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import TooLargeError
 from hfield.fields.base.ring import Ring
 from hfield.prover.clock import Clock
-from hfield.prover.polynomials.anisotropic_forms import AnisotropicForm, Forms
+from hfield.prover.polynomials.anisotropic_forms import AnisotropicForm, FormFinder
 from hfield.prover.polynomials.field_rules import NORM, ROOTS, SQUARES, Rule
 from hfield.prover.polynomials.membership import LARGE_PRIMES, Cofactors, PolynomialIdeal
 from hfield.prover.polynomials.recognition import (
@@ -272,7 +272,7 @@ class _ContradictionSearch:
         p = self.conditions
         if p.field is None or self._rule(ROOTS) is None or self.clock.is_late:
             return False
-        forms = Forms(p.variables, p.unknowns, p.field, ideal.context)
+        forms = FormFinder(p.variables, p.unknowns, p.field, ideal.context)
         for f in sorted([*ideal.generators, *ideal.elements()], key=len):
             for form in forms.of(f):
                 rule = form.rule or self._rule(

@@ -39,7 +39,7 @@ class AnisotropicForm:
     rule: Rule | None = None  # a rule of its own, besides the one for roots
 
 
-class Forms:
+class FormFinder:
     """Finds forms in polynomials whose variables from ``unknowns`` on, ``names`` of them, are constants."""
 
     def __init__(

@@ -19,7 +19,7 @@ from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Symbol
 from hfield.compiling.arithmetics import doubles
-from hfield.compiling.calling import Kernel
+from hfield.compiling.calling import ArrayProgram
 from hfield.compiling.memory import Rows
 from hfield.core.product import Constants, Coordinates, norm
 from hfield.core.straight_line import FIRST
@@ -109,7 +109,7 @@ def _of_one(f: FloatFunction, w: float, s: float, is_scalar: bool) -> tuple[Any,
     return (plus + minus) / 2, (plus - minus) / (2 * phi)
 
 
-def _compiled(kernel: Kernel, c: Constants, q: Coordinates) -> Rows | None:
+def _compiled(kernel: ArrayProgram, c: Constants, q: Coordinates) -> Rows | None:
     """Compute a batch in Hamilton's algebra by a compiled loop; None if the loop does not apply."""
     if c != HAMILTON or q[0].size < MIN_COMPILED or not machine_code.available():
         return None
@@ -255,7 +255,7 @@ def _length_of(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]
 
 
 ROOT, LENGTH = (
-    Kernel(doubles.FloatFormula(f, FIRST, outputs), doubles.Doubles(), (FIRST,), {})
+    ArrayProgram(doubles.FloatFormula(f, FIRST, outputs), doubles.Doubles(), (FIRST,), {})
     for f, outputs in ((_root, FIRST), (_length_of, ("length",)))
 )
 

@@ -16,14 +16,14 @@ from hfield.compiling.arithmetics.register_tables import (
     RegisterField,
 )
 from hfield.compiling.arithmetics.residues import ResidueArithmetic
-from hfield.compiling.calling import Kernel
+from hfield.compiling.calling import ArrayProgram
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants
 from hfield.fields.base.array_storage import programs
 from hfield.fields.base.array_storage.labels import LabelArrays
 from hfield.fields.base.array_storage.object_arrays import ObjectArrays
 from hfield.fields.base.array_storage.rows import Row
-from hfield.fields.base.storage.base import Batch
+from hfield.fields.base.storage.base import BatchStorage
 
 WORD = 1 << 32  # the largest modulus whose residues multiply in one word
 BITS = 64  # the largest degree over GF(2) whose elements do
@@ -32,7 +32,7 @@ LOGARITHMS_UP_TO = 1 << 16  # elements: beyond, tables leave the caches
 POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
 
 
-def array_storage(ring: Any, constants: Constants) -> Batch:
+def array_storage(ring: Any, constants: Constants) -> BatchStorage:
     """Return the storage of arrays over ℤ/n or a finite field: as labels where an arithmetic serves them."""
     arithmetic = arithmetic_of(ring)
     if arithmetic is not None:
@@ -76,7 +76,7 @@ class ScalarArrays:
     def __init__(self, arithmetic: Arithmetic) -> None:
         self.dtype: str = arithmetic.dtype
         self._kernels = {
-            name: Kernel(program, arithmetic, sides, {})
+            name: ArrayProgram(program, arithmetic, sides, {})
             for name, (program, sides) in programs.SCALARS.items()
         }
 

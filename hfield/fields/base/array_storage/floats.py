@@ -9,7 +9,7 @@ import numpy as np
 
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetics.doubles import Doubles
-from hfield.compiling.calling import Kernel
+from hfield.compiling.calling import ArrayProgram
 from hfield.compiling.memory import rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, pattern, specialise
@@ -17,7 +17,7 @@ from hfield.errors import CoercionError
 from hfield.fields.base.array_storage import programs
 from hfield.fields.base.array_storage.rows import block_of
 from hfield.fields.base.arrays import one_shape, read_only
-from hfield.fields.base.storage.base import Batch
+from hfield.fields.base.storage.base import BatchStorage
 
 if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
@@ -27,15 +27,15 @@ Block = np.ndarray[Any, np.dtype[Any]]
 MIN_COMPILED = 1000  # quaternions from which on a loop is compiled for them
 
 
-class FloatArrays(Batch[Block]):
+class FloatArrays(BatchStorage[Block]):
     """Storage of arrays over a ring of floats as one array of shape (4, …)."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self.plain, self.dtype = Batch(ring, constants), self.constants.a.dtype.str
-        self._kernels: dict[str, Kernel] = {}
+        self.plain, self.dtype = BatchStorage(ring, constants), self.constants.a.dtype.str
+        self._kernels: dict[str, ArrayProgram] = {}
 
-    def kernel(self, name: str) -> Kernel:
+    def kernel(self, name: str) -> ArrayProgram:
         """Return the loop of an operation on four rows of floats."""
         if name not in self._kernels:
             if name in programs.COORDINATEWISE:
@@ -47,7 +47,7 @@ class FloatArrays(Batch[Block]):
             given = {
                 n: float(x) for n, x in self.constants._asdict().items() if n in program.inputs
             }
-            self._kernels[name] = Kernel(program, Doubles(), sides, given)
+            self._kernels[name] = ArrayProgram(program, Doubles(), sides, given)
         return self._kernels[name]
 
     def _compiles(self, size: int) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 
 from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
-from hfield.compiling.calling import Kernel
+from hfield.compiling.calling import ArrayProgram
 from hfield.compiling.memory import Rows
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates
@@ -43,7 +43,7 @@ class LabelArrays(RowArrays):
         self.arithmetic = arithmetic
         self.dtype = arithmetic.dtype
         self.compiles = machine_code.available()
-        self._kernels: dict[str, Kernel] = {}
+        self._kernels: dict[str, ArrayProgram] = {}
 
     # --- labels --------------------------------------------------------------------------------
 
@@ -71,17 +71,17 @@ class LabelArrays(RowArrays):
 
     # --- loops ---------------------------------------------------------------------------------
 
-    def kernel(self, name: str) -> Kernel:
+    def kernel(self, name: str) -> ArrayProgram:
         """Return the loop of an operation."""
         if name not in self._kernels:
             self._kernels[name] = self._made(name)
         return self._kernels[name]
 
-    def _made(self, name: str) -> Kernel:
+    def _made(self, name: str) -> ArrayProgram:
         program, sides = self.program(name)
         given = zip(("a", "t", "b"), self.constants, strict=True)
         constants = {n: self.ring.label(x) for n, x in given if n in program.inputs}
-        return Kernel(program, self.arithmetic, sides, constants)
+        return ArrayProgram(program, self.arithmetic, sides, constants)
 
     def program(self, name: str) -> tuple[Program, programs.Sides]:
         """Return the program of an operation; beside those of all rows a product with a sum after it."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from hfield.core.product import Constants, Coordinates
 from hfield.fields.base.arrays import Objects, objects, one_shape, wrap
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 
 if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Values = np.ndarray[Any, np.dtype[Any]]
 
 
-class ObjectArrays(Batch[Values]):
+class ObjectArrays(BatchStorage[Values]):
     """Arrays over a ring of any kind; ``entries`` encodes each and computes with it.
 
     A stored value is an array of objects, each the stored value of an element.

@@ -16,7 +16,7 @@ from hfield.errors import CoercionError
 from hfield.fields.base.array_storage import programs
 from hfield.fields.base.array_storage.programs import Sides
 from hfield.fields.base.arrays import one_shape, owned, read_only
-from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.base import BatchStorage, Storage
 
 if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Row = np.ndarray[Any, np.dtype[Any]]
 
 
-class RowArrays(Batch[Rows]):
+class RowArrays(BatchStorage[Rows]):
     """Base class for storage as four rows; each ring has its own numbers in the rows.
 
     A stored value is a tuple of four numpy arrays of one shape and of the type ``dtype``.
@@ -37,9 +37,9 @@ class RowArrays(Batch[Rows]):
         Storage.__init__(self, ring, constants)
 
     @cached_property
-    def plain(self) -> Batch:
+    def plain(self) -> BatchStorage:
         """The storage that computes with arrays of the ring: the reference, and where there is no LLVM."""
-        return Batch(self.ring, self.constants)
+        return BatchStorage(self.ring, self.constants)
 
     def by_arrays(self, operation: str, *operands: Rows) -> Any:
         """Do as the plain storage does, on arrays of the ring."""

@@ -19,7 +19,7 @@ from hfield.compiling.arithmetics.machine_integers import (
     holds,
     widest,
 )
-from hfield.compiling.calling import Kernel
+from hfield.compiling.calling import ArrayProgram
 from hfield.compiling.instructions import Code
 from hfield.compiling.loops import Operand, emit_body
 from hfield.compiling.memory import Rows, rows_of
@@ -57,7 +57,7 @@ class WordArrays(RowArrays):
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
         self.compiles = machine_code.available()
-        self._kernels: dict[tuple[str, str], list[Kernel]] = {}
+        self._kernels: dict[tuple[str, str], list[ArrayProgram]] = {}
 
     # --- loops ---------------------------------------------------------------------------------
 
@@ -65,7 +65,7 @@ class WordArrays(RowArrays):
         """Return which of the structure constants are 0, 1 or −1, in the scaled basis over ℚ."""
         return pattern(self.integral, lambda x, n: x == n)
 
-    def kernels(self, name: str, dtype: str = "i8") -> list[Kernel]:
+    def kernels(self, name: str, dtype: str = "i8") -> list[ArrayProgram]:
         """Return the loops of an operation on rows of a type, the quick one first.
 
         None if the constants are too large.
@@ -78,7 +78,7 @@ class WordArrays(RowArrays):
             operands = tuple(Operand(side, False) for side in sides)
             fits = partial(_fits, program, operands, literals)
             quick = widest(fits, dtype)
-            found = [] if quick is None else [Kernel(program, quick, sides, literals)]
+            found = [] if quick is None else [ArrayProgram(program, quick, sides, literals)]
             if dtype != "i8":
                 found += self.kernels(name)
             else:
@@ -87,7 +87,7 @@ class WordArrays(RowArrays):
                 except TooWideError:
                     found = []
                 else:
-                    found.append(Kernel(program, CheckedWholeNumbers(), sides, literals))
+                    found.append(ArrayProgram(program, CheckedWholeNumbers(), sides, literals))
             self._kernels[key] = found
         return self._kernels[key]
 

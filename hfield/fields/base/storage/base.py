@@ -157,7 +157,7 @@ class Storage(Generic[H]):
         return tuple(map(self.ring.state, self.coordinates(p)))
 
 
-class Batch(Storage[H]):
+class BatchStorage(Storage[H]):
     """Storage of arrays of elements, here as four arrays of one shape that compute elementwise.
 
     A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where
