@@ -1,7 +1,8 @@
 """Imports run one way: a package imports only packages of lower layers, and circles are listed."""
 
 import ast
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from functools import cache
 
 import pytest
@@ -287,6 +288,28 @@ def test_the_checker_of_certificates_stands_alone() -> None:
         if module.startswith("hfield.checker"):
             outside = {t for t in imports(source, module) if t.startswith("hfield")}
             assert all(t.startswith("hfield.checker") for t in outside), (module, outside)
+
+
+# What is written a second time for others: the checker stands alone, and rotation.compat has scipy's names.
+REPEATS = ("hfield.checker", "rotation.compat")
+_CLASS = re.compile(r"^ *class (\w+)[(:\[]", re.MULTILINE)
+
+
+def repeated_classes(texts: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """Return the names of classes with their modules, where two modules of one side define one."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for module, source in texts:
+        side = next((r for r in REPEATS if f"{module}.".startswith(f"{r}.")), "")
+        for name in _CLASS.findall(source):
+            found.setdefault((side, name), []).append(module)
+    return {name: places for (_, name), places in found.items() if len(places) > 1}
+
+
+def test_a_class_name_is_defined_once() -> None:
+    assert repeated_classes(sources()) == {}
+    twice = [("hfield.a", "class Word:\n"), ("rotation.b", "if x:\n    class Word(str):\n")]
+    assert repeated_classes(twice) == {"Word": ["hfield.a", "rotation.b"]}
+    assert not repeated_classes([twice[0], ("hfield.checker.b", "class Word[T]:\n")])
 
 
 def looked_into(source: str) -> set[str]:
