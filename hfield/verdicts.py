@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -32,7 +32,14 @@ class Verdict(Generic[W]):
     reason: str = ""
     witness: W | None = None
     theorem: str | None = None
-    make_claim: Callable[[], CertifiedClaim | None] | None = field(default=None, kw_only=True)
+    make_claim: Callable[[], CertifiedClaim | None] | None = field(
+        default=None, kw_only=True, compare=False
+    )
+
+    @property
+    def holds(self) -> bool:
+        """The value."""
+        return self.value
 
     @property
     def element(self) -> W | None:
@@ -49,6 +56,13 @@ class Verdict(Generic[W]):
         """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None."""
         return None if self.claim is None else self.claim.certificate
 
+    @property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        if self.claim is None:
+            return "certificates have no statement about this"
+        return self.claim.why_no_certificate
+
     def __bool__(self) -> bool:
         return self.value
 
@@ -58,7 +72,7 @@ class Verdict(Generic[W]):
         return type(other) is type(self) and self._key() == other._key()
 
     def _key(self) -> tuple[Any, ...]:
-        return self.value, self.reason, self.witness, self.theorem
+        return tuple(getattr(self, entry.name) for entry in fields(self) if entry.compare)
 
     def __hash__(self) -> int:
         return hash(self.value)  # as those of True and False, which may be equal

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,7 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.product import Coordinates, Scalar
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
 from hfield.fields.quadratic_forms.isomorphisms import splitting
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
@@ -123,22 +125,49 @@ def _minor(m: list[list[Scalar]]) -> Scalar:
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
-class Splitting:
+@dataclass(frozen=True, eq=False, repr=False)
+class Splitting(Verdict[Quaternion]):
     """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
 
-    ``i`` and ``j`` are the matrices of i and j (``I, J = A.split()`` unpacks them), ``images`` those
-    of e, i, j, k; ``zero_divisor`` is an element of norm 0, and ``reason`` says why there is one.
+    It is true, and :class:`Division` is false. ``i`` and ``j`` are the matrices of i and j (``I, J =
+    A.split()`` unpacks them), ``images`` those of e, i, j, k; ``zero_divisor`` is an element of norm 0, the
+    witness, and ``reason`` says why there is one.
     """
 
-    def __init__(self, algebra: Parent, found: splitting.CoordinateSplitting) -> None:
-        self.algebra, self.reason, self._found = algebra, found.reason, found
-        self.images = found.images
-        self.i, self.j = found.i, found.j
-        self.zero_divisor: Quaternion = algebra(*found.zero_divisor)
+    algebra: Parent = field(kw_only=True)
+    coordinate_splitting: splitting.CoordinateSplitting = field(kw_only=True)
 
-    def __bool__(self) -> bool:
-        """Return True: in ``A.division_or_splitting()`` it tells a splitting from a division algebra."""
-        return True
+    @classmethod
+    def of(cls, algebra: Parent, found: splitting.CoordinateSplitting) -> Splitting:
+        """Return the splitting of an algebra for that of its coordinates."""
+        return cls(
+            True,
+            found.reason,
+            algebra(*found.zero_divisor),
+            algebra=algebra,
+            coordinate_splitting=found,
+        )
+
+    @property
+    def images(self) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+        """The matrices of e, i, j, k."""
+        return self.coordinate_splitting.images
+
+    @property
+    def i(self) -> Matrix:
+        """The matrix of i."""
+        return self.coordinate_splitting.i
+
+    @property
+    def j(self) -> Matrix:
+        """The matrix of j."""
+        return self.coordinate_splitting.j
+
+    @property
+    def zero_divisor(self) -> Quaternion:
+        """An element of norm 0, from which the splitting was made."""
+        assert self.witness is not None, "a splitting is made from a zero divisor"
+        return self.witness
 
     def __iter__(self) -> Iterator[Matrix]:
         return iter((self.i, self.j))
@@ -146,14 +175,14 @@ class Splitting:
     def to_matrix(self, q: object) -> Matrix:
         """Return the matrix of q."""
         coordinates: Coordinates = self.algebra(q).coordinates
-        return self._found.to_matrix(coordinates)
+        return self.coordinate_splitting.to_matrix(coordinates)
 
     def from_matrix(self, matrix: Sequence[Sequence[Any]]) -> Quaternion:
         """Return the element whose matrix is given, two rows of two entries.
 
         Raises :class:`CoercionError` for another shape or for entries that are not in the field.
         """
-        return self.algebra(*self._found.from_matrix(matrix))
+        return self.algebra(*self.coordinate_splitting.from_matrix(matrix))
 
     def __repr__(self) -> str:
         F = self.algebra.ring
@@ -168,22 +197,30 @@ class Splitting:
         return rf"${onto}\colon\quad i \mapsto {i},\ j \mapsto {j}$"
 
 
-class Division:
+@dataclass(frozen=True, eq=False, repr=False)
+class Division(Verdict[None]):
     """Why ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for the ``reason`` given.
 
-    ``places`` are the ramified places where they were computed; ``assumes`` the theorems cited.
+    It is false, for it is no splitting. ``places`` are the ramified places where they were computed;
+    ``assumes`` the theorems cited.
     """
 
-    def __init__(self, algebra: Parent, found: ZeroNorm) -> None:
-        self.algebra = algebra
-        self.method: str = found.method
-        self.reason: str = found.reason
-        self.places: tuple[Any, ...] = found.places
-        self.assumes: tuple[str, ...] = found.assumes
+    algebra: Parent = field(kw_only=True)
+    method: str = ""
+    places: tuple[Any, ...] = ()
+    assumes: tuple[str, ...] = ()
 
-    def __bool__(self) -> bool:
-        """Return False: it is no splitting."""
-        return False
+    @classmethod
+    def of(cls, algebra: Parent, found: ZeroNorm) -> Division:
+        """Return why an algebra is one, for the answer about its norm form."""
+        return cls(
+            False,
+            found.reason,
+            algebra=algebra,
+            method=found.method,
+            places=found.places,
+            assumes=found.assumes,
+        )
 
     def __repr__(self) -> str:
         return f"{self.algebra} is a division algebra: {self.reason}"

@@ -694,7 +694,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
                 f"{self.ring} is inexact, so splitting is not decided: use {self.ring.exact_ring}"
             )
         answer = quadratic_forms.division_or_splitting(*self._here())
-        return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
+        if isinstance(answer, Found):
+            return Splitting.of(self, answer)
+        return Division.of(self, answer)
 
     def split(self, factors: Factors | None = None) -> Splitting | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
@@ -714,7 +716,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         found: Any = quadratic_forms.division_or_splitting(
             *self._here()
         )  # CDF has all square roots
-        return Splitting(self, found)
+        return Splitting.of(self, found)
 
     def _splitting(self) -> Splitting:
         if self.ring == CDF:  # matrices of floats are computed, and nothing is decided by them

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import CertifiedClaim
     from hfield.orders.lattice import ClassSet, Ideal, Lattice
+    from hfield.verdicts import Verdict
 
 PATIENCE = 10
 """Seconds: a command that takes longer prints an estimate first."""
@@ -48,7 +49,9 @@ def add_answers(parser: ArgumentParser) -> None:
 
 def answer_certified(
     args: Namespace,
-    answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], CertifiedClaim]]],
+    answer: Callable[
+        [Namespace], tuple[OutputDocument, Callable[[], CertifiedClaim | Verdict[Any]]]
+    ],
 ) -> int:
     """Answer, and write a certificate with --certificate; primes given as factors are used."""
     with given_factors(args), open_output(args.certificate) as file:

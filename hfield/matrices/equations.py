@@ -5,20 +5,23 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from operator import itemgetter
+from typing import Any, TypeVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import NotationError, UndecidedError, shorten
 from hfield.fields.linear_algebra.echelon import null_space, solution
 from hfield.matrices.vocabulary import vocabulary
 from hfield.syntax import Reader, Vocabulary, spell
+from hfield.verdicts import Verdict
 
 T = TypeVar("T")
+S = TypeVar("S", bound="Solutions[Any]")
 Vector = tuple[Quaternion, ...]
 
 
-@dataclass(frozen=True)
-class Solutions(Generic[T]):
+@dataclass(frozen=True, eq=False, repr=False)
+class Solutions(Verdict[T]):
     """All solutions: ``particular`` plus the combinations of ``kernel``, a basis over the field; or none.
 
     Where there is none it is false, ``particular`` is None, and ``reason`` says why: ``functional`` are four
@@ -26,13 +29,17 @@ class Solutions(Generic[T]):
     unknowns, and with those of the right sides is not.
     """
 
-    particular: T | None
-    kernel: tuple[T, ...]
-    reason: str = ""
+    kernel: tuple[T, ...] = ()
     functional: tuple[object, ...] = ()
 
-    def __bool__(self) -> bool:
-        return self.particular is not None
+    @property
+    def particular(self) -> T | None:
+        """One of the solutions, the witness."""
+        return self.witness
+
+    def __repr__(self) -> str:
+        shown = ", ".join(map(str, self.kernel))
+        return super().__repr__() + (f", plus combinations of {shown}" if self and shown else "")
 
 
 class LinearSolutions(Solutions[Quaternion]):
@@ -61,17 +68,19 @@ def solve_linear(
 
 
 def _solved(algebra: Parent, of_basis: Sequence[Quaternion], right: Quaternion) -> LinearSolutions:
-    found = _solve(algebra, [(of_basis, right)])
-    particular = None if found.particular is None else found.particular[0]
-    return LinearSolutions(
-        particular, tuple(v[0] for v in found.kernel), found.reason, found.functional
-    )
+    return _solve(algebra, [(of_basis, right)], LinearSolutions, itemgetter(0))
 
 
 def _solve(
-    algebra: Parent, equations: Sequence[tuple[Sequence[Quaternion], Quaternion]]
-) -> Solutions[Vector]:
-    """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side."""
+    algebra: Parent,
+    equations: Sequence[tuple[Sequence[Quaternion], Quaternion]],
+    kind: type[S],
+    name: Callable[[Vector], T],
+) -> S:
+    """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side.
+
+    ``name`` makes of a vector with an entry for each unknown what the kind of solutions contains.
+    """
     F = algebra.ring
     if not F.is_field:
         raise UndecidedError(f"{F.no_field}: linear equations are solved over fields only")
@@ -82,9 +91,10 @@ def _solve(
     ]
     right = [x for _, q in equations for x in q.coordinates]
     found, width = solution(F, rows, [[x] for x in right]), len(rows[0])
-    kernel = tuple(_vector(algebra, v) for v in null_space(F, rows, width))
+    kernel = tuple(name(_vector(algebra, v)) for v in null_space(F, rows, width))
     if found is not None:
-        return Solutions(_vector(algebra, [row[0] for row in found]), kernel)
+        particular = name(_vector(algebra, [row[0] for row in found]))
+        return kind(True, witness=particular, kernel=kernel)
     columns = [list(column) for column in zip(*rows, strict=True)]
     for y in null_space(F, columns, len(rows)):
         value = sum((s * x for s, x in zip(y, right, strict=True)), F.zero)
@@ -96,7 +106,7 @@ def _solve(
                 f"({weights}) times the coordinates of the left side{'s' * several} is 0 for every "
                 f"{'choice of the unknowns' if several else 'x'}, and {F.text(value)} for {what}"
             )
-            return Solutions(None, kernel, reason, tuple(y))
+            return kind(False, reason, kernel=kernel, functional=tuple(y))
     raise AssertionError("a system without solution has a functional that says so")
 
 
@@ -171,15 +181,12 @@ def read_system(algebra: Parent, texts: Sequence[str], unknowns: Sequence[str]) 
         if not any(x in names_in(text) for text in spelled):
             raise NotationError(f"the unknown {x} does not occur in the equations")
     read = [_read(algebra, text, unknowns) for text in texts]
-    found = _solve(algebra, [(f.images or zeros, -f.constant) for f in read])
 
     def named(v: Vector) -> dict[str, Quaternion]:
         return dict(zip(unknowns, v, strict=True))
 
-    particular = None if found.particular is None else named(found.particular)
-    return SystemSolutions(
-        particular, tuple(map(named, found.kernel)), found.reason, found.functional
-    )
+    equations = [(f.images or zeros, -f.constant) for f in read]
+    return _solve(algebra, equations, SystemSolutions, named)
 
 
 UNKNOWNS = "xyzuvwpqrst"

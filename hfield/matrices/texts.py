@@ -96,7 +96,7 @@ class MatrixOperand:
         return self + -other
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class MatrixSolutions(Solutions[Matrix]):
     """All x with M·x = b, or x·M = b ``from_right``; combinations of the kernel are from the other side."""
 
@@ -132,13 +132,13 @@ def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> Matr
 
     kernel = tuple(back(Matrix(algebra, [[q] for q in v])) for v in M.right_kernel())
     try:
-        return MatrixSolutions(back(M.solve(b)), kernel, from_right=from_right)
+        return MatrixSolutions(True, witness=back(M.solve(b)), kernel=kernel, from_right=from_right)
     except NoSolutionError as error:
         if not from_right:
-            return MatrixSolutions(None, kernel, str(error), from_right=from_right)
+            return MatrixSolutions(False, str(error), kernel=kernel, from_right=from_right)
         y = ", ".join(str(q.conjugate()) for q in map(algebra, error.witness))
         why = f"there is no {unknown} with {unknown}·M = b: M·y = 0 and b·y is not 0 for y = ({y})"
-        return MatrixSolutions(None, kernel, why, from_right=from_right)
+        return MatrixSolutions(False, why, kernel=kernel, from_right=from_right)
 
 
 def _matrix_at(text: str) -> tuple[int, int] | None:

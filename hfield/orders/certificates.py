@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.classes import Classes
-    from hfield.orders.equivalence_result import EquivalenceResult
+    from hfield.verdicts import Verdict
 
 REFUSAL = "the checker does not know that strong approximation decides"
 EQUIVALENT, ISOMORPHIC = "equivalent", "isomorphic"
@@ -93,7 +93,7 @@ def of_equivalence(
     first: LatticeValue,
     second: LatticeValue,
     between: LatticeValue | None,
-    result: EquivalenceResult,
+    result: Verdict[Quaternion],
 ) -> CertifiedClaim:
     """Return that an element carries one ideal to another, or that none does.
 
@@ -101,7 +101,7 @@ def of_equivalence(
     """
     about = f"{_side(side)}; {text(first)}; {text(second)}"
     words = _words(first.ambient)
-    if result.holds:
+    if result:
         return _proved(words, EQUIVALENT, about, result)
     if between is None:
         between = colon(second, first, "left" if side == "right" else "right")
@@ -110,12 +110,12 @@ def of_equivalence(
 
 
 def of_isomorphism(
-    first: LatticeValue, second: LatticeValue, result: EquivalenceResult
+    first: LatticeValue, second: LatticeValue, result: Verdict[Quaternion]
 ) -> CertifiedClaim:
     """Return that an element conjugates one order into another, or that the orders are not isomorphic."""
     about = f"{text(first)}; {text(second)}"
     words = _words(first.ambient)
-    if result.holds:
+    if result:
         return _proved(words, ISOMORPHIC, about, result)
     found: Refutation | None = DISCRIMINANT, {}
     if words.size(discriminant(first)) == words.size(discriminant(second)):
@@ -123,7 +123,7 @@ def of_isomorphism(
     return _refuted(words, ISOMORPHIC, about, found)
 
 
-def _proved(words: _Words, word: str, about: str, result: EquivalenceResult) -> CertifiedClaim:
+def _proved(words: _Words, word: str, about: str, result: Verdict[Quaternion]) -> CertifiedClaim:
     """Return that there is an element; without it the checker is not asked."""
     if result.element is None:
         return words.claim(word, about, "strong approximation", refusal=REFUSAL)

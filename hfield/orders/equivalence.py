@@ -22,7 +22,6 @@ from hfield.fuchsian.search import element_of_norm, split_order
 from hfield.orders import certificates, enumeration, hermite, ideal_products
 from hfield.orders.base import Base
 from hfield.orders.base_values import BaseIdeal, BaseNumber
-from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.invariants import has_all_unit_norms
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -33,6 +32,7 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.short_elements import element_of_norms, multiple_of_content
+from hfield.verdicts import Verdict
 
 TRIED = 4_000
 """Short vectors tried for an element of given norm in an indefinite algebra, before others."""
@@ -45,7 +45,7 @@ STRONG_APPROXIMATION = (
 
 def equivalence(
     first: LatticeValue, second: LatticeValue, order: LatticeValue, side: str
-) -> EquivalenceResult:
+) -> Verdict[Quaternion]:
     """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ones), or why there is none.
 
     ``order`` is that of which they are ideals. Raises :class:`UndecidedError` in an indefinite algebra, where
@@ -57,12 +57,11 @@ def equivalence(
         between = _between(first, second, order, side, invertible)
         found = element_generating(between, norm, order, invertible)
     else:
-        found = EquivalenceResult(
+        found = Verdict(
             False, "the index of one in the other is not the square of the quotient of their norms"
         )
-    return replace(
-        found, make_claim=partial(certificates.of_equivalence, side, first, second, between)
-    )
+    claim = partial(certificates.of_equivalence, side, first, second, between, found)
+    return replace(found, make_claim=claim)
 
 
 def _between(
@@ -78,7 +77,7 @@ def _between(
 
 def element_generating(
     lattice: LatticeValue, norm: BaseIdeal, order: LatticeValue, invertible: bool = True
-) -> EquivalenceResult:
+) -> Verdict[Quaternion]:
     """Return an element of a lattice whose norm generates an ideal, or why there is none.
 
     ``invertible`` says that the lattice is locally principal, and ``order`` is one of its orders.
@@ -92,24 +91,24 @@ def element_generating(
             if ambient.definite
             else "generator, positive where the algebra ramifies,"
         )
-        return EquivalenceResult(False, f"the norm would be a {kind} of {norm}, which has none")
+        return Verdict(False, f"the norm would be a {kind} of {norm}, which has none")
     found = None
     if ambient.definite:
         found = element_of_norms(lattice, norms)
     elif ambient.is_fuchsian:
         found = _among_short(lattice, norms) or _in_the_plane(lattice, norms, order)
     if found is not None:
-        return EquivalenceResult(True, "the element is multiplied out", found)
+        return Verdict(True, "the element is multiplied out", found)
     shown = _norms_text(base, norms)
     if ambient.definite:
-        return EquivalenceResult(False, f"no element of {shown} lies between them")
+        return Verdict(False, f"no element of {shown} lies between them")
     reason = f"no element of {shown} was found among short ones"
     if not (invertible and has_all_unit_norms(order)):
         raise UndecidedError(
             f"whether ideals of an indefinite algebra are equivalent is not decided: {reason}, and strong "
             "approximation decides for invertible ideals of orders with Eichler symbols 1 and −1"
         )
-    return EquivalenceResult(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
+    return Verdict(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
 
 
 def _norms_text(base: Base, norms: Sequence[BaseNumber]) -> str:

@@ -5,17 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, UndecidedError
 from hfield.orders import certificates
 from hfield.orders.conjugators import conjugator
 from hfield.orders.equivalence import element_generating
-from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.invariants import conductor, is_eichler
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.related_orders import connecting, gorenstein_closure
+from hfield.verdicts import Verdict
 
 
-def isomorphism(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
+def isomorphism(first: LatticeValue, second: LatticeValue) -> Verdict[Quaternion]:
     """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
 
     In an indefinite algebra equal orders, and orders with different discriminants or conductors, are decided
@@ -24,21 +25,21 @@ def isomorphism(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     Gorenstein closures are Eichler orders.
     """
     found = _decide(first, second)
-    return replace(found, make_claim=partial(certificates.of_isomorphism, first, second))
+    return replace(found, make_claim=partial(certificates.of_isomorphism, first, second, found))
 
 
-def _decide(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
+def _decide(first: LatticeValue, second: LatticeValue) -> Verdict[Quaternion]:
     ambient, conjugates = first.ambient, "the element conjugates one into the other"
     if first == second:
-        return EquivalenceResult(True, "they are equal", first.algebra(1))
+        return Verdict(True, "they are equal", first.algebra(1))
     both = discriminant(first), discriminant(second)
     if both[0] != both[1]:
-        return EquivalenceResult(False, f"their discriminants are {both[0]} and {both[1]}")
+        return Verdict(False, f"their discriminants are {both[0]} and {both[1]}")
     if ambient.definite:
         x, reason = conjugator(first, second)
-        return EquivalenceResult(x is not None, reason or conjugates, x)
+        return Verdict(x is not None, reason or conjugates, x)
     if conductor(first) != conductor(second):
-        return EquivalenceResult(False, "their conductors differ")
+        return Verdict(False, "their conductors differ")
     if ambient.base.classes_modulo_signs(ambient).order > 1:
         raise IndefiniteError(
             f"isomorphisms of orders in {first.algebra}, which is indefinite, are decided where every ideal "
@@ -54,4 +55,4 @@ def _decide(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     found = element_generating(bridge, bridge.norm, one)
     if found.element is None:
         return found
-    return EquivalenceResult(True, conjugates, found.element.inverse())
+    return Verdict(True, conjugates, found.element.inverse())

@@ -63,7 +63,6 @@ from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, WithForms
-from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.orders_at_primes import OrderAtPrime
@@ -410,11 +409,6 @@ class Lattice(Hinted, PrintedBySympy):
 class ExplainedBool(Verdict[None]):
     """A verdict that is written True or False, and equals others with the same value."""
 
-    @property
-    def holds(self) -> bool:
-        """The value."""
-        return self.value
-
     def _key(self) -> tuple[object, ...]:
         return (self.value,)
 
@@ -655,7 +649,7 @@ class Order(WithStableClasses, Certified, Lattice):
         found = search(self.value, P, natural(k, "the exponent of an index is"))
         return [Order(value) for value in found]
 
-    def isomorphism(self, other: Lattice) -> EquivalenceResult:
+    def isomorphism(self, other: Lattice) -> Verdict[Quaternion]:
         """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
 
         Decided for all orders of totally definite algebras, and for R + f·Eichler orders of indefinite ones,
@@ -1240,7 +1234,7 @@ class Ideal(Certified, Lattice):
 
     # --- classes ---------------------------------------------------------------------------------
 
-    def equivalence(self, other: Ideal) -> EquivalenceResult:
+    def equivalence(self, other: Ideal) -> Verdict[Quaternion]:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
         Two-sided ideals are compared as left ones, or on the side of the other. Where there is none the
@@ -1262,7 +1256,7 @@ class Ideal(Certified, Lattice):
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
-    def is_principal(self) -> EquivalenceResult:
+    def is_principal(self) -> Verdict[Quaternion]:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
         order = self.order.value
         return equivalence.equivalence(order, self.value, order, self.side)

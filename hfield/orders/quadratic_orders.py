@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import count, product
@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
-from hfield.evidence import Certified, CertifiedClaim
+from hfield.evidence import CertifiedClaim
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import FractionalIdeal as NumberFieldIdeal
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -59,7 +59,7 @@ MAX_CLASSES = 20_000
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Embeddings(Certified, Verdict["Quaternion"]):
+class Embeddings(Verdict["Quaternion"]):
     """Whether a quadratic order S has optimal embeddings in an order, and these; S has ``discriminant`` d.
 
     Each is given by the image of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d. ``reason`` says why
@@ -70,15 +70,12 @@ class Embeddings(Certified, Verdict["Quaternion"]):
     discriminant: object
     listed: tuple[Quaternion, ...] | None
     """All images; None where they are infinitely many."""
-    of_orbits: Callable[[], tuple[Quaternion, ...]]
+    of_orbits: Callable[[], tuple[Quaternion, ...]] = field(compare=False)
     """Returns one of each orbit."""
     prime: object = None
     """A prime at which there is no embedding, or None."""
-    of_orbits_claim: Callable[[], CertifiedClaim] | None = None
+    of_orbits_claim: Callable[[], CertifiedClaim] | None = field(default=None, compare=False)
     """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
-
-    def _key(self) -> tuple[object, ...]:
-        return self.order, self.discriminant, *super()._key()
 
     def __len__(self) -> int:
         return len(self.elements)

@@ -47,11 +47,6 @@ class FormEquivalence(Verdict[tuple[Row, ...]]):
     """
 
     @property
-    def holds(self) -> bool:
-        """The value."""
-        return self.value
-
-    @property
     def matrix(self) -> Matrix | None:
         """The witness."""
         return self.witness

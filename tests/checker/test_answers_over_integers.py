@@ -13,7 +13,7 @@ from hfield.checker.check import ExpectedClaim
 from hfield.cli import main
 from hfield.evidence import CertifiedClaim
 from hfield.orders import certificates
-from hfield.orders.equivalence_result import EquivalenceResult
+from hfield.verdicts import Verdict
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import changed_and_passed, established, rejects
 from tests.subcases import first_quick
@@ -53,13 +53,13 @@ def conjugated(order: Any, x: Any) -> Any:
 
 def equivalence_claim(first: Any, second: Any, element: Any) -> CertifiedClaim:
     """That this element carries one ideal to the other; without one, that none does."""
-    result = EquivalenceResult(element is not None, "", element)
+    result = Verdict(element is not None, "", element)
     return certificates.of_equivalence(first.side, first.value, second.value, None, result)
 
 
 def isomorphism_claim(first: Any, second: Any, element: Any) -> CertifiedClaim:
     """That this element conjugates one order into the other; without one, that none does."""
-    result = EquivalenceResult(element is not None, "", element)
+    result = Verdict(element is not None, "", element)
     return certificates.of_isomorphism(first.value, second.value, result)
 
 

@@ -20,10 +20,11 @@ from hfield.cli.orders import (
 )
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import CertifiedClaim
-    from hfield.orders.equivalence_result import EquivalenceResult
     from hfield.orders.lattice import Ideal, Lattice
     from hfield.presenting import AnswerSection
+    from hfield.verdicts import Verdict
 
 HELP = (
     "Describe the ideal that elements generate in a maximal or an Eichler order: basis, "
@@ -62,14 +63,16 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
+def _answer(
+    args: Namespace,
+) -> tuple[OutputDocument, Callable[[], CertifiedClaim | Verdict[Quaternion]]]:
     I, answer = _ideal_and_answer(args)
     question = "principal" if args.principal else "equivalent"
     found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer, question))
-    return found, lambda: (I if answer is None else answer).claim
+    return found, lambda: I.claim if answer is None else answer
 
 
-def _ideal_and_answer(args: Namespace) -> tuple[Ideal, EquivalenceResult | None]:
+def _ideal_and_answer(args: Namespace) -> tuple[Ideal, Verdict[Quaternion] | None]:
     """Return the ideal, and the answer to the question about it, if there is one."""
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level, A))
@@ -82,7 +85,7 @@ def _ideal_and_answer(args: Namespace) -> tuple[Ideal, EquivalenceResult | None]
     return I, I.equivalence(make(elements_of(A, args.other, "--with")))
 
 
-def to_json(I: Ideal, answer: EquivalenceResult | None) -> dict[str, object]:
+def to_json(I: Ideal, answer: Verdict[Quaternion] | None) -> dict[str, object]:
     """Return what programs read."""
     data = {
         "schema": "hfield-ideal/1",
@@ -93,7 +96,7 @@ def to_json(I: Ideal, answer: EquivalenceResult | None) -> dict[str, object]:
     }
     if answer is not None:
         q, text = answer.element, I.algebra.ring.text
-        data |= {"holds": answer.holds, "reason": answer.reason, "theorem": answer.theorem}
+        data |= {"holds": answer.value, "reason": answer.reason, "theorem": answer.theorem}
         data["element"] = None if q is None else [text(x) for x in q.coordinates]
     return data
 
@@ -123,7 +126,7 @@ def _kinds(I: Ideal) -> str:
     return f"{': ' * bool(words)}{', '.join(words)}"
 
 
-def parts(I: Ideal, answer: EquivalenceResult | None, question: str) -> list[AnswerSection]:
+def parts(I: Ideal, answer: Verdict[Quaternion] | None, question: str) -> list[AnswerSection]:
     """Return what people read."""
     from hfield.presenting import Facts
 
