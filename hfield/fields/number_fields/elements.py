@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from operator import index
+import operator
 from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.fields.base.coercion import rational
+from hfield.fields.base.coercion import fmpq, rational
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
@@ -15,6 +15,14 @@ if TYPE_CHECKING:
 
     from hfield.fields.algebraic.surds import Surd
     from hfield.fields.number_fields.ring import NumberField
+
+
+# The operators of python-flint's polynomials look up the type of the other operand, which takes longer than
+# to add or multiply two short polynomials. The methods behind them take less, where both are polynomials.
+_add = getattr(flint.fmpq_poly, "_add_", operator.add)
+_subtract = getattr(flint.fmpq_poly, "_sub_", operator.sub)
+_multiply = getattr(flint.fmpq_poly, "_mul_", operator.mul)
+_remainder = getattr(flint.fmpq_poly, "_mod_", operator.mod)
 
 
 class FieldElement(PrintedBySympy):
@@ -34,24 +42,32 @@ class FieldElement(PrintedBySympy):
         self.field = field
         self.poly = poly
 
-    def _other(self, x: object) -> flint.fmpq_poly | flint.fmpq | None:
-        """Return what to compute with in the place of x: a polynomial, a number of flint, or None."""
+    def _other(self, x: object) -> flint.fmpq_poly | flint.fmpq | int | None:
+        """Return what to compute with in the place of x: a polynomial, a rational number, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None
+        if type(x) is int or type(x) is flint.fmpq:
+            return x
         number = rational(x)
-        return None if number is None else flint.fmpq(number.numerator, number.denominator)
+        return None if number is None else fmpq(number)
 
     # --- arithmetic ----------------------------------------------------------------------------
 
     def __add__(self, other: object) -> FieldElement:
+        field = self.field
+        if type(other) is FieldElement and other.field is field:
+            return FieldElement(field, _add(self.poly, other.poly))
         y = self._other(other)
-        return NotImplemented if y is None else FieldElement(self.field, self.poly + y)
+        return NotImplemented if y is None else FieldElement(field, self.poly + y)
 
     __radd__ = __add__
 
     def __sub__(self, other: object) -> FieldElement:
+        field = self.field
+        if type(other) is FieldElement and other.field is field:
+            return FieldElement(field, _subtract(self.poly, other.poly))
         y = self._other(other)
-        return NotImplemented if y is None else FieldElement(self.field, self.poly - y)
+        return NotImplemented if y is None else FieldElement(field, self.poly - y)
 
     def __rsub__(self, other: object) -> FieldElement:
         y = self._other(other)
@@ -65,25 +81,27 @@ class FieldElement(PrintedBySympy):
 
     def __mul__(self, other: object) -> FieldElement:
         field = self.field
-        if type(other) is FieldElement and other.field is field:
-            return FieldElement(field, self.poly * other.poly % field.polynomial)
+        if type(other) is FieldElement and (other.field is field or other.field == field):
+            product = _multiply(self.poly, other.poly)
+            return FieldElement(field, _remainder(product, field.polynomial))
         y = self._other(other)
-        return (
-            NotImplemented if y is None else FieldElement(field, self.poly * y % field.polynomial)
-        )
+        return NotImplemented if y is None else FieldElement(field, self.poly * y)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: object) -> FieldElement:
+        field = self.field
+        if type(other) is FieldElement and (other.field is field or other.field == field):
+            return self * field.inverse(other)
         y = self._other(other)
-        return NotImplemented if y is None else self * self.field(other).inverse()
+        return NotImplemented if y is None else self * field(y).inverse()
 
     def __rtruediv__(self, other: object) -> FieldElement:
         y = self._other(other)
-        return NotImplemented if y is None else self.inverse() * other
+        return NotImplemented if y is None else self.inverse() * y
 
     def __pow__(self, n: int) -> FieldElement:
-        return self.field.power(self, index(n))
+        return self.field.power(self, operator.index(n))
 
     def inverse(self) -> FieldElement:
         """Return 1/self. Raises :class:`NotInvertibleError` for 0."""
