@@ -307,6 +307,9 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     def trace(self, x: NumberT) -> fmpq:
         """Return the trace of an element down to ℚ."""
 
+    def norm(self, x: NumberT) -> fmpq:
+        """Return the norm of an element down to ℚ."""
+
     def inside(self, x: object) -> NumberT:
         """Convert an element of ``ring`` to one of ``field``."""
 
@@ -513,6 +516,9 @@ class RationalIntegers:
         return self.inside(x)
 
     def trace(self, x: Rational) -> fmpq:
+        return self.inside(x)
+
+    def norm(self, x: Rational) -> fmpq:
         return self.inside(x)
 
     def inside(self, x: Rational) -> fmpq:
@@ -859,7 +865,10 @@ class NumberFieldIntegers:
         return x.poly[0] if x.poly.degree() < 1 else None
 
     def trace(self, x: FieldElement) -> fmpq:
-        return self.field(x).trace()
+        return x.trace()
+
+    def norm(self, x: FieldElement) -> fmpq:
+        return x.norm()
 
     def shown_norm(self, lattice: LatticeValue) -> ideals.FractionalIdeal:
         return self.ideal(lattice.norm)

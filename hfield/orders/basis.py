@@ -253,11 +253,6 @@ class AlgebraBasis:
     def _one(self) -> fmpq_mat:
         return self.base.coordinate_rows([self.base.field.one])
 
-    def number_norm(self, x: BaseNumber) -> fmpq:
-        """Return the norm of a number of the field down to ℚ."""
-        row, den = self.base.coordinate_rows([x]).numer_denom()
-        return self.domain.fraction(self.number_matrix(row.entries()).det(), den**self.degree)
-
     @cached_property
     def base_traces(self) -> list[int]:
         """The traces of the integral basis."""

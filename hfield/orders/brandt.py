@@ -79,6 +79,19 @@ def brandt_matrix(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
     return reduce(mul, (prime_power(classes, P, e) for P, e in factors))
 
 
+def brandt_lists(classes: Classes, norm: BaseIdeal) -> Matrix:
+    """Return the same as lists of ints, by neighbours without a matrix where these are listed."""
+    expect_matrix_fits(len(classes))
+    factors = classes.ambient.base.factorisation(norm)
+    if [e for _, e in factors] != [1] or not _is_listed(classes, factors[0][0]):
+        return dense(brandt_matrix(classes, norm))
+    table = [[0] * len(classes) for _ in range(len(classes))]
+    for line, row in zip(table, classes.neighbours(factors[0][0]), strict=True):
+        for j, times in row.items():
+            line[j] = times
+    return table
+
+
 def identity(classes: Classes) -> fmpz_mat:
     """Return the Brandt matrix of 1."""
     size = range(len(classes))
@@ -218,6 +231,13 @@ def by_elements(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
     return fmpz_mat(table)
 
 
+def _is_listed(classes: Classes, P: Prime) -> bool:
+    """Tell whether the neighbours at a prime are known, or so few that listing them is quickest."""
+    base, h = classes.ambient.base, len(classes)
+    number = base.absolute_norm(base.prime_ideal(P)) + 1
+    return classes.has_rows(P) or number < 12 + h * h // 40_000 or number >= MODULUS
+
+
 def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
     """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
 
@@ -226,9 +246,8 @@ def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
     a prime above N(P) + 1, which bounds the entries, B(P) is known. v stands for one class.
     """
     base, h = classes.ambient.base, len(classes)
-    norm = base.absolute_norm(base.prime_ideal(P))
-    if classes.has_rows(P) or norm + 1 < 12 + h * h // 40_000 or norm + 1 >= MODULUS:
-        return None  # where there are few neighbours listing them is quicker
+    if _is_listed(classes, P):
+        return None
     Q = next(good_primes(classes.order))
     if Q == P:
         return None

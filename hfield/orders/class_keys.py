@@ -71,11 +71,11 @@ class ClassKeys:
 
         The key has the denominator d, and the rows whose pivots are not d: the others are d times a unit row.
         """
-        row, den = x.inverse
+        row, times, below = x.inverse_over
         matrix = combined(self._left, row)
-        scale = den * x.den * self.ambient.scale * self._den
+        scale = below * x.den * self.ambient.scale * self._den
         domain = self.ambient.domain
-        whole, den = (rows * matrix * domain.fraction(self.order.den, scale)).numer_denom()
+        whole, den = (rows * matrix * domain.fraction(times * self.order.den, scale)).numer_denom()
         integer = domain.integer
         d, entries = integer(den), whole.hnf().entries()
         size = self.ambient.size
@@ -88,9 +88,8 @@ class ClassKeys:
     def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
         """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""
         ambient = self.ambient
-        row, den = x.inverse
-        below = den * x.den * ambient.scale
-        fraction = ambient.domain.fraction(1, below)
+        row, times, below = x.inverse_over
+        fraction = ambient.domain.fraction(times, below * x.den * ambient.scale)
         found, den = (rows * ambient.left_matrix(row) * fraction).numer_denom()
         return found, ambient.domain.integer(den)
 
@@ -114,15 +113,21 @@ class ShortElement:
         return found
 
     @cached_property
-    def inverse(self) -> tuple[list[fmpz], int]:
-        """The inverse, an integer row over a denominator."""
+    def inverse_over(self) -> tuple[list[Integer], Integer, Integer]:
+        """An integer row, and two numbers: the inverse is the row times the first over the second."""
         ambient = self._ambient
         # x⁻¹ = conj(x)/N(x)
         number, below = ambient.inverse_number(self.scaled_norm)
-        domain = ambient.domain
-        bar = ambient.times_scalar(domain.matrix([self.row]) * ambient.conjugation, number)
-        over = ambient.scale * self.den * domain.form_factor
-        found, den = (bar * domain.fraction(over, ambient.conjugate_scale * below)).numer_denom()
+        bar = ambient.times_scalar(ambient.domain.matrix([self.row]) * ambient.conjugation, number)
+        times = ambient.scale * self.den * ambient.domain.form_factor
+        return bar.entries(), times, below * ambient.conjugate_scale
+
+    @property
+    def inverse(self) -> tuple[list[fmpz], int]:
+        """The inverse, an integer row over a denominator."""
+        row, times, below = self.inverse_over
+        domain = self._ambient.domain
+        found, den = (domain.matrix([row]) * domain.fraction(times, below)).numer_denom()
         return found.entries(), domain.integer(den)
 
 
@@ -186,9 +191,9 @@ class SublatticeKeys:
         gram = coordinates * self._forms[0] * coordinates.transpose()
         return Reduced(gram, coordinates, coordinates * self.rows)
 
-    def element(self, coordinates: Sequence[int | fmpz]) -> ShortElement:
+    def element(self, coordinates: list[Integer]) -> ShortElement:
         """Return the element with some coordinates."""
-        row = self._ambient.domain.matrix([list(coordinates)])
+        row = self._ambient.domain.matrix(1, self._ambient.size, coordinates)
         column = row.transpose()
         norm = [(row * gram * column)[0, 0] for gram in self._grams]
         return ShortElement(self._ambient, (row * self.rows).entries(), self.den, norm)
@@ -210,7 +215,8 @@ class SublatticeKeys:
         """Return a shortest element of a reduced basis."""
         gram, size = basis.gram, basis.gram.nrows()
         length = self._ambient.domain.length
-        k = min(range(size), key=lambda k: length(gram[k, k]))
+        lengths = [length(gram[k, k]) for k in range(size)]
+        k = lengths.index(min(lengths))
         return self.element([basis.coordinates[k, m] for m in range(size)])
 
     def representative(self, basis: Reduced) -> Representative:

@@ -16,9 +16,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from fractions import Fraction
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
+
+from flint import fmpq
 
 from hfield.core.executors import InProcess
 from hfield.core.progress import report, track
@@ -82,7 +83,8 @@ class Classes:
         self.store = ClassStore(self.ambient)
         self._rows: dict[Prime, SparseRows] = {}
         self._exchanged: dict[Prime, list[int]] = {}
-        self._left = self.mass
+        self._left = fmpq(self.mass.numerator, self.mass.denominator)
+        """The mass of the classes that are not known yet."""
         self.exchange_prime = self._find_exchange_prime()
         """A prime whose two-sided ideal gives each class another one, in large sets; else None."""
         if self.exchange_prime is not None:
@@ -99,12 +101,13 @@ class Classes:
         self._enumerate(executor)
 
     def _enumerate(self, executor: Executor | None) -> None:
+        whole = float(self.mass)
         for prime in good_primes(self.order):
             if not self._left:
                 return
             self._expect_few_neighbours(1, prime)
             for _ in self._more_rows(prime, executor, lambda: bool(self._left)):
-                report(self.mass - self._left, self.mass, "the classes")
+                report(whole - int(self._left.p) / int(self._left.q), whole, "the classes")
 
     def _find_exchange_prime(self) -> Prime | None:
         """Return a prime with a two-sided ideal of that norm, for an exchange that is an involution."""
@@ -169,7 +172,7 @@ class Classes:
 
     def _add(self, found: PackedClass) -> int:
         """Add a new class, and return its number."""
-        self._left -= Fraction(1, found.units)
+        self._left -= fmpq(1, found.units)
         if self._left < 0:
             raise AssertionError("the classes found exceed the mass")
         if self._file is not None:

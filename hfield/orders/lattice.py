@@ -1648,7 +1648,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         1987). Raises :class:`LatticeError` for what is no integral ideal, and :class:`TooLargeError` for some
         ten thousand classes, see :meth:`neighbour_counts`.
         """
-        return brandt.dense(brandt.brandt_matrix(self._classes, self._base.integral_ideal(norm)))
+        return brandt.brandt_lists(self._classes, self._base.integral_ideal(norm))
 
     def hecke_polynomial(self, norm: object, weight: int = 2) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first.

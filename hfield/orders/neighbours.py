@@ -103,8 +103,8 @@ class Neighbours:
         rows, den = around.rows, around.den
         y = generator_above(around, p, norm)
         if y is not None:
-            row, below = y.inverse
-            rows, den = rows * ambient.left_matrix(row), den * below * ambient.scale
+            row, times, below = y.inverse_over
+            rows, den = rows * ambient.left_matrix(row) * times, den * below * ambient.scale
         domain = ambient.domain
         moved, below = (rows * order.inverse_rows * domain.fraction(1, den)).numer_denom()
         inverse = domain.inverse_modulo(below, p)
@@ -134,7 +134,7 @@ def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement 
     ambient = around.keys.ambient
     ideal = ambient.base.narrow_classes.ideals[norm.number]
     domain = ambient.domain
-    wanted = _valuation(domain, ambient.number_norm(norm.element), p)
+    wanted = _valuation(domain, ambient.base.norm(norm.element), p)
     if norm.number:
         wanted += remove(ambient.base.absolute_norm(ideal), p)[0]
     if not wanted:
@@ -162,19 +162,14 @@ def _solutions(domain: EuclideanDomain, forms: ModularMatrix, p: Integer) -> Int
     """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
     reduced, rank = forms.rref()
     size = forms.ncols()
-    pivots: list[int] = []
-    for k in range(rank):
-        start = pivots[-1] + 1 if pivots else 0
-        pivots.append(next(m for m in range(start, size) if reduced[k, m]))
     entries: list[Integer] = [0] * (size * size)
-    for m in range(size):
-        entries[m * (size + 1)] = 1
-    for k, pivot in enumerate(pivots):
+    entries[:: size + 1] = [1] * size
+    for row in reduced.tolist()[:rank]:
+        pivot = next(m for m, c in enumerate(row) if c)
         entries[pivot * (size + 1)] = p
         for m in range(pivot + 1, size):
-            c = reduced[k, m]
-            if c and m not in pivots:
-                entries[m * size + pivot] = -domain.small_residue(c, p)
+            if row[m]:  # no pivot of another row, where this one is 0
+                entries[m * size + pivot] = -domain.small_residue(row[m], p)
     return domain.matrix(size, size, entries)
 
 

@@ -93,6 +93,9 @@ class PolynomialBase:
     def trace(self, x: RationalFunction) -> RationalFunction:
         return self.domain.as_fraction(x)
 
+    def norm(self, x: RationalFunction) -> RationalFunction:
+        return self.domain.as_fraction(x)
+
     def number_data(self, x: Integer) -> str:
         return self.ring.text(self.shown_number(x))
 

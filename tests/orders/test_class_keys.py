@@ -111,5 +111,5 @@ def test_norms_of_representatives() -> None:
             assert product(inverse(C.lattice(n)), C.lattice(n)) == O
             if ideal == base.one:
                 x = C.local_norm(n, base.primes_above(2)[0][1])
-                assert O.ambient.number_norm(x).p % 2
-                assert O.ambient.number_norm(x).q % 2
+                assert O.ambient.base.norm(x).p % 2
+                assert O.ambient.base.norm(x).q % 2
