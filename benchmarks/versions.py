@@ -35,7 +35,7 @@ HERE = Path(__file__).resolve().parent.parent
 
 PRIMES = {10: (1019, 1013, 1021), 251: (5 * 2**248 - 1, 2**127 - 1, 2**128 + 51)}
 """Discriminants of algebras over QQ, and about what the norms of ideals are."""
-FIELDS = {"QQ(sqrt(5))": 491, "QQ[s]/(s^3-s^2-3*s+1)": 13}
+FIELDS = {"QQ(sqrt(5))": 4999, "QQ[s]/(s^3-s^2-3*s+1)": 13}
 """Fields, and a prime below the level of orders whose class sets are computed."""
 
 Case = tuple[Callable[[], Any], Callable[[Any], Any]]

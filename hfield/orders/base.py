@@ -471,7 +471,7 @@ class RationalIntegers:
         return ideal.denominator, [[ideal.numerator]]
 
     def inverse(self, ideal: Fraction | int) -> Fraction:
-        return 1 / Fraction(ideal)
+        return Fraction(ideal.denominator, ideal.numerator)
 
     def ideal(self, x: object) -> Fraction:
         value = abs(fraction(x))
@@ -522,9 +522,9 @@ class RationalIntegers:
         return self.inside(x)
 
     def inside(self, x: Rational) -> fmpq:
-        if isinstance(x, fmpq):
+        if type(x) is fmpq:
             return x
-        if type(x) is int:
+        if isinstance(x, fmpq | int):  # a RationalNumber too, which computes more slowly
             return fmpq(x)
         value = fraction(x)
         return fmpq(value.numerator, value.denominator)

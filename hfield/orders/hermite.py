@@ -140,6 +140,8 @@ def tuples(matrix: fmpz_mat) -> Rows:
 
 def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     """Return the rows of several matrices, one below the other."""
+    if len(matrices) == 1:
+        return matrices[0]
     rows = sum(m.nrows() for m in matrices)
     if rows > MAX_MULTIPLIED_ROWS or not isinstance(matrices[0], fmpz_mat):
         entries = [x for m in matrices for x in m.entries()]

@@ -331,8 +331,11 @@ def scaled(lattice: LatticeValue, x: Fraction | int) -> LatticeValue:
 
 def times_ideal(lattice: LatticeValue, ideal: BaseIdeal) -> LatticeValue:
     """Return a lattice times an ideal of the base."""
-    den, rows = ideal_multiples(lattice.ambient, lattice.matrix, ideal)
-    return hermite_form(lattice.ambient, lattice.den * den, rows)
+    ambient = lattice.ambient
+    den, rows = ideal_multiples(ambient, lattice.matrix, ideal)
+    if rows.nrows() == ambient.size:  # a multiple of a matrix in Hermite form
+        return LatticeValue(ambient, *hermite.reduced(lattice.den * den, rows))
+    return hermite_form(ambient, lattice.den * den, rows)
 
 
 def conjugate(lattice: LatticeValue) -> LatticeValue:
@@ -418,7 +421,7 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
 
 def index(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
     """Return the index ideal of the other lattice in this one (Voight, section 9.6)."""
-    return other.volume / lattice.volume
+    return lattice.ambient.kernels.index(lattice, other)
 
 
 def scalars_into(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:

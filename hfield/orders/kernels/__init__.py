@@ -32,6 +32,7 @@ class Kernels:
     norm: Callable[[AlgebraBasis, Sequence[fmpz_mat], fmpz, int], BaseIdeal]
     content: Callable[[fmpz_mat], fmpz]
     volume: Callable[[AlgebraBasis, fmpz_mat, int], BaseIdeal]
+    index: Callable[[LatticeValue, LatticeValue], BaseIdeal]
     order_rows: Callable[[LatticeValue, fmpz_mat], Rows]
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
@@ -45,6 +46,7 @@ class Kernels:
         self.norm = getattr(own, "norm", general.norm)
         self.content = getattr(own, "content", general.content)
         self.volume = getattr(own, "volume", general.volume)
+        self.index = getattr(own, "index", general.index)
         self.order_rows = getattr(own, "order_rows", general.order_rows)
         self.is_locally_principal = getattr(
             own, "is_locally_principal", general.is_locally_principal

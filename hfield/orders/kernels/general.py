@@ -75,6 +75,12 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> BaseIdeal:
     return found
 
 
+def index(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
+    """Return the index ideal of the other lattice in this one, the ratio of the volumes."""
+    found: BaseIdeal = other.volume / lattice.volume
+    return found
+
+
 def ideal_multiples(
     ambient: AlgebraBasis, rows: fmpz_mat, ideal: BaseIdeal
 ) -> tuple[int, fmpz_mat]:

@@ -44,6 +44,12 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Fraction:
     return Fraction(int(_determinant(matrix)), den**4)
 
 
+def index(lattice: LatticeValue, other: LatticeValue) -> Fraction:
+    """Return the ratio of the determinants, as one fraction."""
+    volume = int(_determinant(other.matrix)) * lattice.den**4
+    return Fraction(volume, int(_determinant(lattice.matrix)) * other.den**4)
+
+
 def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return seven rows over a denominator that span ``L·conj(L)/N(L)``."""
     whole = int(lattice.content) * lattice.ambient.conjugate_scale
