@@ -19,7 +19,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import cache, partial
 from itertools import islice, product
 from pathlib import Path
 from statistics import median, quantiles
@@ -73,9 +73,6 @@ def lattice_cases(name: str, O: Any, I: Any, J: Any, E: Any) -> dict[str, Case]:
     Q = I.algebra.order_from_basis((x * P * x.inverse()).basis)
     first, two, same, orders = map(pickle.dumps, (I, (I, J), (I, E), (P, Q)))
 
-    def fresh(data: bytes) -> Callable[[], Any]:
-        return lambda: pickle.loads(data)
-
     works: dict[str, tuple[bytes, Callable[[Any], Any]]] = {
         "conj(I)·J": (two, lambda x: x[0].conjugate() * x[1]),
         "I + J": (two, lambda x: x[0] + x[1]),
@@ -97,7 +94,9 @@ def lattice_cases(name: str, O: Any, I: Any, J: Any, E: Any) -> dict[str, Case]:
         "discriminant": (pickle.dumps(P), lambda x: x.discriminant()),
         "units": (pickle.dumps(P), lambda x: x.unit_group()),
     }
-    return {f"{name}: {key}": (fresh(data), work) for key, (data, work) in works.items()}
+    return {
+        f"{name}: {key}": (partial(pickle.loads, data), work) for key, (data, work) in works.items()
+    }
 
 
 def class_set_cases(name: str, O: Any, prime: Any) -> dict[str, Case]:
@@ -113,9 +112,9 @@ def class_set_cases(name: str, O: Any, prime: Any) -> dict[str, Case]:
         return C
 
     return {
-        f"{name}: class set": (lambda: pickle.loads(data), lambda x: x.class_set()),
+        f"{name}: class set": (partial(pickle.loads, data), lambda x: x.class_set()),
         f"{name}: class set, then a Brandt matrix": (
-            lambda: pickle.loads(data),
+            partial(pickle.loads, data),
             lambda x: x.class_set().brandt_matrix(prime),
         ),
         f"{name}: Brandt matrix": (classes_and_rows, lambda x: x.brandt_matrix(prime)),
@@ -151,15 +150,12 @@ def cases_over_ZZ() -> dict[str, Case]:
         "maximal overorder": lambda x: x.algebra.order(["3*i", "5*j"]).maximal_overorder(),
     }
     found |= {
-        f"p = 11: {name}": (lambda: pickle.loads(fresh), work) for name, work in works.items()
+        f"p = 11: {name}": (partial(pickle.loads, fresh), work) for name, work in works.items()
     }
     for a in (3, 7, 23):
-
-        def made(a=a) -> Any:
-            return QuaternionAlgebra("QQ", a, -1).maximal_order()
-
+        data = pickle.dumps(QuaternionAlgebra("QQ", a, -1).maximal_order())
         found[f"({a}, −1): Dirichlet domain"] = (
-            made,
+            partial(pickle.loads, data),
             lambda x: len(x.norm_one_group().domain().sides),
         )
     return found
@@ -259,7 +255,6 @@ def compare(own: Side, other: Side, name: str, rounds: int) -> str:
         return f"{name:<48} the answers differ: {answer[:60]}, {same[:60]}"
     (once, _), (before, _) = own.time(name, 2), other.time(name, 2)
     assert once is not None
-    assert before is not None
     number = max(1, min(MAX_REPEATED, int(LEAST_SECONDS / max(once, 1e-6))))
     pairs = []
     for n in range(rounds):

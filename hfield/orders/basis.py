@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING, cast
 
@@ -19,6 +19,7 @@ from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.product import conjugate, multiply, norm, trace
+from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, RingError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.function_fields.ring import FunctionField

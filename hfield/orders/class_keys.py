@@ -16,11 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from flint import fmpz, fmpz_mat
 
+from hfield.core.properties import cached_property
 from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer
 from hfield.orders.basis import combined
 from hfield.orders.hermite import divided, inverse, tuples

@@ -16,13 +16,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from functools import cached_property, partial
+from functools import partial
 from typing import TYPE_CHECKING
 
 from flint import fmpq
 
 from hfield.core.executors import InProcess
 from hfield.core.progress import report, track
+from hfield.core.properties import cached_property
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
 from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime

@@ -126,6 +126,9 @@ class EuclideanDomain(Protocol):
     def divided(self, matrix: IntegerMatrix, n: Integer) -> IntegerMatrix:
         """Return a matrix divided by a number that divides all entries."""
 
+    def lowest_terms(self, den: Integer, matrix: IntegerMatrix) -> tuple[Integer, IntegerMatrix]:
+        """Return a triangular matrix over a denominator as one over the least denominator."""
+
     def length(self, value: Rational | Integer) -> fmpq | int:
         """Return by what values of a definite form are compared."""
 
@@ -220,6 +223,18 @@ class IntegerDomain:
         if n == 1:
             return matrix
         return (matrix * fmpq(1, n)).numer_denom()[0]
+
+    def lowest_terms(self, den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
+        """Return the matrix itself where the diagonal shows that the denominator is the least."""
+        before, common = fmpz(0), fmpz(den)
+        for k in range(matrix.nrows()):
+            if common == before:
+                break
+            before, common = common, common.gcd(matrix[k, k])
+        if common == 1:
+            return int(den), matrix
+        whole, below = (matrix * fmpq(1, den)).numer_denom()
+        return int(below), whole
 
     def denominator(self, x: fmpq) -> int:
         """Return the denominator."""
@@ -420,6 +435,15 @@ class PolynomialDomain:
         return PolynomialMatrix(
             self, matrix.nrows(), matrix.ncols(), [x // n for x in matrix.entries()]
         )
+
+    def lowest_terms(
+        self, den: Integer, matrix: PolynomialMatrix
+    ) -> tuple[fq_default_poly, PolynomialMatrix]:
+        """Return a matrix over a monic denominator."""
+        if den == 1:
+            return self.integer(den), matrix
+        whole, below = (matrix * self.fraction(1, den)).numer_denom()
+        return below, whole
 
     def length(self, value: Rational | Integer) -> int:
         """Return the degree of a polynomial or a fraction."""

@@ -20,7 +20,7 @@ import math
 import random
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import count, product, takewhile
 from operator import add
 from typing import NamedTuple
@@ -28,6 +28,7 @@ from typing import NamedTuple
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.primality import is_prime
+from hfield.core.properties import cached_property
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes

@@ -14,13 +14,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import cached_property
 from itertools import product
 from math import prod
 from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.core.properties import cached_property
 from hfield.errors import TooLargeError
 from hfield.fields.names import ring
 from hfield.fields.number_fields.classes.class_groups import class_group, unit_group

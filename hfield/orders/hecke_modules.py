@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from functools import cached_property
 
 from flint import fmpz_mat, nmod_mat, nmod_poly
 
+from hfield.core.properties import cached_property
 from hfield.orders import brandt
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes, orbits

@@ -39,10 +39,8 @@ def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
 
 def reduced(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return an integer matrix over ``den`` as one over the least denominator."""
-    domain = domain_of(matrix)
-    if den == 1:
-        return domain.integer(den), matrix
-    return rational(matrix * domain.fraction(1, den))
+    found: tuple[int, fmpz_mat] = domain_of(matrix).lowest_terms(den, matrix)
+    return found
 
 
 def first_rows(matrix: fmpz_mat, number: int) -> fmpz_mat:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 import flint
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.algebra.structure import hurwitz
 from hfield.core.product import Coordinates
+from hfield.core.properties import cached_property
 from hfield.errors import CoercionError
 from hfield.orders.lattice import Order
 

@@ -8,11 +8,11 @@ symbol 1 or −1 at each prime of the discriminant (M. Eichler, 1938; Voight, *Q
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import flint
 
+from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, shorten
 from hfield.hints import CLASSES, Hinted
 from hfield.orders.invariants import eichler_symbol, good_primes

@@ -11,12 +11,13 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Self, TypeVar, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import Factors
+from hfield.core.properties import cached_property
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
     IndefiniteError,
@@ -120,7 +121,7 @@ class Lattice(Hinted, PrintedBySympy):
 
     def __init__(self, value: LatticeValue) -> None:
         self.value = value
-        self.algebra = value.algebra
+        self.algebra = value.ambient.algebra
 
     def __reduce__(self) -> tuple[object, ...]:
         return type(self), self._arguments

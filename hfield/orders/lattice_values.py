@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import Self
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.properties import cached_property
 from hfield.errors import LatticeError, shorten
 from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal

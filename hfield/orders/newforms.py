@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import cached_property
 from itertools import count, islice
 from typing import TYPE_CHECKING
 
@@ -18,6 +17,7 @@ from flint import fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
+from hfield.core.properties import cached_property
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.base_values import Prime

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import count, islice, product
 from typing import TYPE_CHECKING
 
 from flint import fmpq_mat, fmpz_mat
 
+from hfield.core.properties import cached_property
 from hfield.errors import LatticeError
 from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Residue

@@ -12,13 +12,13 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
 from itertools import count, product
 from random import Random
 from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
+from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import CertifiedClaim
 from hfield.fields.number_fields.elements import FieldElement

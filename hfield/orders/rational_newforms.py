@@ -15,7 +15,6 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import islice, product
 from typing import TYPE_CHECKING
 
@@ -32,6 +31,7 @@ from hfield.core.lanczos import (
     recurrence,
 )
 from hfield.core.progress import track
+from hfield.core.properties import cached_property
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.invariants import good_primes, is_eichler, level

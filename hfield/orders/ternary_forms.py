@@ -9,13 +9,13 @@ orders (J. Voight, *Quaternion Algebras*, chapter 22), and forms are compared by
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING, TypeAlias
 
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, RingError, shorten
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import Ring, WithIntegers

@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
-from functools import cached_property
 
 from flint import nmod_mat, nmod_poly
 
+from hfield.core.properties import cached_property
 from hfield.errors import LatticeError
 from hfield.orders import brandt
 from hfield.orders.base_values import BaseIdeal, Prime
