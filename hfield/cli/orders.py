@@ -175,15 +175,17 @@ def summands(L: Lattice) -> list[tuple[str, str]]:
     return [(str(base.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
 
 
-def class_data(ideal: Ideal) -> dict[str, object]:
-    """Return an ideal that represents its class, for programs: its rows and norm.
-
-    A basis over ℤ of more than four elements is given as a pseudo-basis too.
-    """
+def lattice_data(L: Lattice) -> dict[str, object]:
+    """Return a lattice for programs: rows, and a pseudo-basis where a basis has more than four elements."""
     from hfield.orders.lattice_values import rows_json
 
-    pairs = {"pseudo_basis": summands(ideal)} if len(ideal.basis) > 4 else {}
-    return {**rows_json(ideal.value), "norm": ideal_json(ideal.norm()), **pairs}
+    pairs = {} if len(L.basis) == 4 else {"pseudo_basis": summands(L)}
+    return {**rows_json(L.value), **pairs}
+
+
+def class_data(ideal: Ideal) -> dict[str, object]:
+    """Return an ideal that represents its class, for programs."""
+    return {**lattice_data(ideal), "norm": ideal_json(ideal.norm())}
 
 
 def unit_numbers(C: ClassSet) -> list[int]:
@@ -207,17 +209,27 @@ def unit_groups(C: ClassSet) -> Iterator[str]:
         yield known[key]
 
 
-def sum_text(L: Lattice) -> str:
-    """Return a lattice as the sum of ideals times elements."""
+def basis_name(L: Lattice) -> str:
+    """Return how people read a lattice: by a basis of four elements, or as a sum."""
+    return "basis" if len(L.basis) == 4 else "sum of"
+
+
+def basis_text(L: Lattice) -> str:
+    """Return a basis of four elements, or the lattice as the sum of ideals times elements."""
+    if len(L.basis) == 4:
+        return ", ".join(map(str, L.basis))
     return " + ".join(
         f"({q})" if ideal == "ideal(1)" else f"{ideal}·({q})" for ideal, q in summands(L)
     )
 
 
-def ideal_json(ideal: Any) -> object:
-    """Return generators, the absolute norm and the prime factors of an ideal; of ℤ its generator."""
+def ideal_json(ideal: Any, number: Callable[[Any], object] = int) -> object:
+    """Return generators, the absolute norm and the prime factors of an ideal.
+
+    Of ℤ it is the generator: an int, or what ``number`` makes of it where it may be a fraction.
+    """
     if not hasattr(ideal, "generators"):
-        return int(ideal)
+        return number(ideal)
     return {
         "generators": [ideal.ring.text(x) for x in ideal.generators],
         "norm": str(ideal.norm()),

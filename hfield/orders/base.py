@@ -121,6 +121,8 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     """Whether the base is ℤ."""
     is_polynomial: bool
     """Whether the base is 𝔽_q[t]."""
+    lists_all_units: bool
+    """Whether units of orders are listed, as over ℤ, and not their cosets of those of the base."""
     symbol: str
     """How the ring is written."""
 
@@ -348,6 +350,7 @@ class RationalIntegers:
     symbol = "ℤ"
     domain = INTEGERS
     is_rational = True
+    lists_all_units = True
     is_polynomial = False
     is_totally_real = True
     real_places: tuple[int, ...] = (0,)
@@ -619,6 +622,7 @@ class NumberFieldIntegers:
     symbol = "ℤ_K"
     domain = INTEGERS
     is_rational = False
+    lists_all_units = False
     is_polynomial = False
 
     def inside(self, x: object) -> FieldElement:

@@ -58,6 +58,7 @@ class PolynomialBase:
 
     degree = 1
     is_rational = False
+    lists_all_units = False
     is_polynomial = True
     is_totally_real = False
     real_places: tuple[int, ...] = ()

@@ -22,7 +22,7 @@ def units(order: LatticeValue) -> tuple[Quaternion, ...]:
     Raises :class:`IndefiniteError` where they are infinitely many.
     """
     expect_definite(order.ambient, "units()")
-    if order.ambient.base.is_rational:
+    if order.ambient.base.lists_all_units:
         return short_elements.of_norm(order, order.ambient.base.field.one)
     return tuple(order.ambient.quaternion(row.entries()) for row in units_modulo_scalars(order))
 
@@ -50,7 +50,7 @@ def unit_group(order: LatticeValue) -> str:
         return "infinite"
     found = list(units_modulo_scalars(order))
     size = len(found)
-    if ambient.base.is_rational:
+    if ambient.base.lists_all_units:
         return UNIT_GROUPS[size]
     largest = max(_order(ambient, row) for row in found)
     if largest == size:

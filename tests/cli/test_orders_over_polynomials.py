@@ -33,6 +33,20 @@ def test_commands_over_polynomials(capsys: pytest.CaptureFixture[str]) -> None:
     assert brandt == read(capsys, "brandt", ALGEBRA, "--prime", "t")
 
 
+def test_orders_and_ideals_have_the_same_keys_over_every_base(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    algebras = ("(-1,-11|QQ)", "(-1,-1|QQ(sqrt(5)))", ALGEBRA)
+    for words in (("order",), ("ideal", "3, 1 + i + j")):
+        found = [read(capsys, words[0], A, *words[1:]) for A in algebras]
+        rational, over_field, over_polynomials = (list(data) for data in found)
+        assert [key for key in over_field if key != "pseudo_basis"] == rational == over_polynomials
+    orders = [read(capsys, "order", A) for A in algebras]
+    assert [data["mass"] for data in orders] == ["5/6", "1/60", "13/4"]
+    assert [data["unit_index"] for data in orders] == [2, 60, 4]
+    assert [data["unit_group"] for data in orders] == ["C4", "A5", "C4"]
+
+
 @pytest.mark.parametrize(
     ("words", "reason"),
     [

@@ -12,17 +12,18 @@ from hfield.cli.orders import (
     add_where,
     algebra_of,
     answer_certified,
+    basis_name,
+    basis_text,
     elements_of,
     ideal_json,
+    lattice_data,
     level_of,
-    sum_text,
-    summands,
 )
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import CertifiedClaim
-    from hfield.orders.lattice import Ideal, Lattice
+    from hfield.orders.lattice import Ideal
     from hfield.presenting import AnswerSection
     from hfield.verdicts import Verdict
 
@@ -102,16 +103,14 @@ def to_json(I: Ideal, answer: Verdict[Quaternion] | None) -> dict[str, object]:
 
 
 def _lattice_json(I: Ideal) -> dict[str, object]:
-    """Return the ideal: its rows over ℤ, over the integers of a number field a pseudo-basis."""
-    if I.value.ambient.base.is_rational:
-        return I.evidence
+    """Return the ideal and its order."""
     return {
         "kind": "ideal",
         "algebra": str(I.algebra),
         "side": I.side,
-        "pseudo_basis": summands(I),
-        "order": summands(I.order),
-        "norm": ideal_json(I.norm()),
+        **lattice_data(I),
+        "order": lattice_data(I.order),
+        "norm": ideal_json(I.norm(), str),
     }
 
 
@@ -131,29 +130,19 @@ def parts(I: Ideal, answer: Verdict[Quaternion] | None, question: str) -> list[A
     from hfield.presenting import Facts
 
     other = I.right_order() if I.side == "left" else I.left_order()
-    bases = _bases(I)
+    reduced = (
+        [("reduced basis", ", ".join(map(str, I.reduced_basis())))] if len(I.basis) == 4 else []
+    )
     facts = [
         (f"{I.side} ideal of", str(I.order)),
-        *bases,
+        (basis_name(I), basis_text(I)),
+        *reduced,
         ("reduced norm", f"{I.norm()}{_kinds(I)}"),
-        ("right order" if I.side == "left" else "left order", _basis_text(other)),
+        ("right order" if I.side == "left" else "left order", basis_text(other)),
     ]
     if answer is not None:
         facts.append((question, repr(answer)))
         if answer.theorem is not None:
             facts.append(("theorem", answer.theorem))
-    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", bases[0][0]: f"${I.latex()}$"}
+    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", basis_name(I): f"${I.latex()}$"}
     return [Facts(facts, 22, formulas=formulas)]
-
-
-def _bases(I: Ideal) -> list[tuple[str, str]]:
-    """Return the lattice as facts: over ℤ by its bases, else as a sum of ideals times elements."""
-    if not I.value.ambient.base.is_rational:
-        return [("sum of", sum_text(I))]
-    reduced = ", ".join(map(str, I.reduced_basis()))
-    return [("basis", _basis_text(I)), ("reduced basis", reduced)]
-
-
-def _basis_text(lattice: Lattice) -> str:
-    rational = lattice.value.ambient.base.is_rational
-    return ", ".join(map(str, lattice.basis)) if rational else sum_text(lattice)

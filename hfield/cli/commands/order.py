@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
@@ -12,19 +12,22 @@ from hfield.cli.orders import (
     add_answers,
     algebra_of,
     answer_certified,
+    basis_name,
+    basis_text,
     elements_of,
     ideal_json,
+    lattice_data,
     level_of,
-    sum_text,
-    summands,
 )
 from hfield.cli.parser import UsageError
-from hfield.errors import TooLargeError, UndecidedError
+from hfield.errors import IndefiniteError, NotFiniteError, TooLargeError, UndecidedError
 
 if TYPE_CHECKING:
     from hfield.evidence import CertifiedClaim
     from hfield.orders.lattice import Order
     from hfield.presenting import AnswerSection
+
+T = TypeVar("T")
 
 HELP = (
     "Describe an order over ZZ, the integers of a number field, or GF(q)[t]: basis, "
@@ -73,18 +76,14 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     O = _made(args)
-    data: Callable[[Order], dict[str, object]] = to_json
-    page: Callable[[Order], list[AnswerSection]] = parts
-    if not O.value.ambient.base.is_rational:
-        data, page = data_over_number_field, parts_over_number_field
     if not args.units:
-        return of_parts(lambda: data(O), lambda: page(O)), lambda: O.claim
+        return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
     if not O.is_definite():
         raise UsageError(
             f"--units lists the units of a definite order, and {O.algebra} is indefinite: hfield domain "
             "describes the group of its units of norm 1"
         )
-    shown = of_parts(lambda: data(O) | _units_json(O), lambda: [*page(O), _listed_units(O)])
+    shown = of_parts(lambda: to_json(O) | _units_json(O), lambda: [*parts(O), _listed_units(O)])
     return shown, lambda: O.claim
 
 
@@ -95,10 +94,10 @@ def _units_json(O: Order) -> dict[str, object]:
 
 
 def _listed_units(O: Order) -> AnswerSection:
-    """Return the units for people; over a number field one of each coset of those of the field."""
+    """Return the units for people; over other bases than ℤ one of each coset of those of the base."""
     from hfield.presenting import Facts
 
-    name = "unit" if O.value.ambient.base.is_rational else "coset of unit"
+    name = "unit" if O.value.ambient.base.lists_all_units else "coset of unit"
     return Facts([(name, str(q)) for q in O.units()], 22)
 
 
@@ -115,89 +114,15 @@ def _made(args: Namespace) -> Order:
 
 
 def to_json(O: Order) -> dict[str, object]:
-    """Return what programs read."""
-    den, rows = O.hnf
-    definite = "inf" in O.algebra.ramified_places()  # type: ignore[attr-defined]
+    """Return what programs read: None for what makes no sense, or is not known."""
+    maximal, (number, how) = O.is_maximal(), _class_number(O)
+    mass = _known(O.mass)
     return {
         "schema": "hfield-order/1",
         "kind": "order",
         "algebra": str(O.algebra),
-        "den": den,
-        "rows": [list(row) for row in rows],
+        **lattice_data(O),
         "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
-        "discriminant": O.discriminant(),
-        "level": O.level,
-        "maximal": bool(O.is_maximal()),
-        "eichler": O.is_eichler(),
-        "conductor": O.conductor(),
-        "label": _label(O),
-        "units": O.unit_count() if definite else None,
-        "unit_group": O.unit_group(),
-        "mass": str(O.mass()) if definite else None,
-        **_class_number(O, definite),
-    }
-
-
-def _label(O: Order) -> str | None:
-    """Return the label of an order, None where it has none."""
-    try:
-        return O.label()
-    except UndecidedError:
-        return None
-
-
-def _class_number(O: Order, definite: bool) -> dict[str, object]:
-    """Return how many classes of ideals there are, and how that is known; nothing for no Eichler order."""
-    if not O.is_eichler():
-        return {"class_number": None, "class_number_by": None}
-    number = O.algebra.class_number(O.level)  # type: ignore[attr-defined]
-    how = "Eichler's formula" if definite else "strong approximation"
-    return {"class_number": number, "class_number_by": how}
-
-
-def parts(O: Order) -> list[AnswerSection]:
-    """Return what people read."""
-    from hfield.presenting import Facts
-
-    data = to_json(O)
-    kind = (
-        "maximal"
-        if data["maximal"]
-        else "an Eichler order"
-        if data["eichler"]
-        else "no Eichler order"
-    )
-    units = (
-        "infinitely many"
-        if data["units"] is None
-        else f"{data['units']}, the group {data['unit_group']}"
-    )
-    facts = [
-        ("algebra", str(data["algebra"])),
-        ("basis", ", ".join(str(q) for q in O.basis)),
-        ("reduced discriminant", f"{data['discriminant']}, of level {data['level']}: {kind}"),
-        ("conductor", str(data["conductor"])),
-        ("units", units),
-    ]
-    if data["label"] is not None:
-        facts.append(("label", str(data["label"])))
-    if data["mass"] is not None:
-        facts.append(("mass", str(data["mass"])))
-    if data["class_number"] is not None:
-        facts.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
-    formulas = {"algebra": f"${O.algebra.latex()}$", "basis": f"${O.latex()}$"}
-    return [Facts(facts, 22, formulas=formulas)]
-
-
-def data_over_number_field(O: Order) -> dict[str, object]:
-    """Return what programs read of an order over the integers of a number field."""
-    maximal = O.is_maximal()
-    return {
-        "schema": "hfield-order/1",
-        "kind": "order",
-        "algebra": str(O.algebra),
-        "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
-        "pseudo_basis": summands(O),
         "discriminant": ideal_json(O.discriminant()),
         "level": ideal_json(O.level),
         "maximal": bool(maximal),
@@ -206,44 +131,75 @@ def data_over_number_field(O: Order) -> dict[str, object]:
         "conductor": ideal_json(O.conductor()),
         "bass": O.is_bass(),
         "hereditary": O.is_hereditary(),
-        "unit_index": _units(O)[0],
+        "label": _known(O.label),
+        "units": _known(O.unit_count),
+        "unit_index": _known(O.unit_index),
+        "unit_group": _known(O.unit_group),
+        "mass": None if mass is None else str(mass),
+        "class_number": number,
+        "class_number_by": how,
     }
 
 
-def _units(O: Order) -> tuple[int | None, str]:
-    """Return how many units there are modulo those of the field, if that is known, and what people read."""
-    if not O.is_definite():
-        return None, "infinitely many modulo those of the field"
+def _known(compute: Callable[[], T]) -> T | None:
+    """Return an invariant, None where the order has none or it is not known."""
     try:
-        return O.unit_index(), f"{O.unit_index()} modulo those of the field"
-    except TooLargeError as error:
-        return None, f"not counted: {error}"
+        return compute()
+    except (IndefiniteError, NotFiniteError, TooLargeError, UndecidedError):
+        return None
 
 
-def parts_over_number_field(O: Order) -> list[AnswerSection]:
-    """Return what people read of it."""
+def _class_number(O: Order) -> tuple[int | None, str | None]:
+    """Return how many classes of ideals an Eichler order has, and how that is known without enumeration."""
+    from hfield.orders.mass_formula import class_number_by_formula
+
+    if not O.is_eichler():
+        return None, None
+    if O.is_definite():
+        number, how = class_number_by_formula(O.value), "Eichler's formula"
+    else:
+        number, how = _known(lambda: len(O.classes_by_norm())), "strong approximation"
+    return number, None if number is None else how
+
+
+def parts(O: Order) -> list[AnswerSection]:
+    """Return what people read."""
     from hfield.presenting import Facts
 
-    maximal = O.is_maximal()
+    maximal, (number, how) = O.is_maximal(), _class_number(O)
     kind = "maximal" if maximal else "an Eichler order" if O.is_eichler() else "no Eichler order"
-    words = [
-        word
-        for word, holds in (
-            ("hereditary", O.is_hereditary()),
-            ("Bass", O.is_bass()),
-            ("Gorenstein", O.is_gorenstein()),
-        )
-        if holds
-    ]
+    properties = (
+        ("hereditary", O.is_hereditary()),
+        ("Bass", O.is_bass()),
+        ("Gorenstein", O.is_gorenstein()),
+    )
+    words = ", ".join(word for word, holds in properties if holds)
     facts = [
         ("algebra", str(O.algebra)),
-        ("sum of", sum_text(O)),
+        (basis_name(O), basis_text(O)),
         ("reduced discriminant", f"{O.discriminant()}, of level {O.level}: {kind}"),
-        ("conductor", f"{O.conductor()}{': ' * bool(words)}{', '.join(words)}"),
-        ("units", _units(O)[1]),
+        ("conductor", f"{O.conductor()}{': ' * bool(words)}{words}"),
+        ("units", _units(O)),
     ]
     if not maximal:
         facts.append(("not maximal", maximal.reason))
-    return [
-        Facts(facts, 22, formulas={"algebra": f"${O.algebra.latex()}$", "sum of": f"${O.latex()}$"})
-    ]
+    others = (
+        ("label", _known(O.label)),
+        ("mass", _known(O.mass)),
+        ("class number", None if number is None else f"{number}, by {how}"),
+    )
+    facts += [(name, str(value)) for name, value in others if value is not None]
+    formulas = {"algebra": f"${O.algebra.latex()}$", basis_name(O): f"${O.latex()}$"}
+    return [Facts(facts, 22, formulas=formulas)]
+
+
+def _units(O: Order) -> str:
+    """Return how many units there are, and their group, for people."""
+    modulo = "" if O.value.ambient.base.lists_all_units else " modulo those of the field"
+    if not O.is_definite():
+        return f"infinitely many{modulo}"
+    try:
+        number = O.unit_index() if modulo else O.unit_count()
+    except TooLargeError as error:
+        return f"not counted: {error}"
+    return f"{number}{modulo}, the group {O.unit_group()}"
