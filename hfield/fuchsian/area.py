@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import partial
-from itertools import product
 from math import prod
-from typing import Any
 
 from flint import fmpz
 
@@ -33,19 +31,8 @@ def area(order: LatticeValue) -> Fraction:
         assert symbol is not None
         found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
         if symbol == 0:
-            found /= norm_index(order, P)
+            found /= OrderAtPrime(order, P).norm_index()
     return found
-
-
-def norm_index(order: LatticeValue, prime: Any) -> int:
-    """Return the index of the norms of local units in all local units, for an order with the symbol 0."""
-    if not order.ambient.base.is_rational:
-        return OrderAtPrime(order, prime).norm_index()
-    if prime > 2:
-        return 2  # modulo p the norm is a square
-    at = OrderAtPrime(order, prime)
-    norms = {at.norm_of(x)[0] % 8 for x in product(range(8), repeat=4)}
-    return 4 // len(norms & {1, 3, 5, 7})
 
 
 def elliptic_points(order: LatticeValue) -> dict[int, int] | None:

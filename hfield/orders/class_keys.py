@@ -23,7 +23,7 @@ from flint import fmpz, fmpz_mat
 from hfield.core.properties import cached_property
 from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer
 from hfield.orders.basis import combined
-from hfield.orders.hermite import divided, inverse, tuples
+from hfield.orders.hermite import inverse, tuples
 from hfield.orders.lattice_values import LatticeValue
 
 if TYPE_CHECKING:
@@ -158,26 +158,8 @@ class SublatticeKeys:
         self.keys, self.rows, self.den, self.norm = keys, rows, den, norm
         self._ambient = ambient = keys.ambient
         self._grams = ambient.forms(rows)
-        self._forms = self._class_forms()
+        self._forms = ambient.kernels.class_forms(ambient, self._grams, norm.element, keys.units)
         """Multiples of Tr(u·N(x)/ν), one for each unit u modulo squares, by one factor."""
-
-    def _class_forms(self) -> list[fmpz_mat]:
-        keys, norm, ambient = self.keys, self.norm, self._ambient
-        base, domain = ambient.base, ambient.domain
-        if base.is_polynomial:  # only degrees are compared: units and norms make no difference
-            return self._grams
-        traces = [
-            [base.trace(u * w / norm.element) for w in base.integral_basis] for u in keys.units
-        ]
-        whole = domain.fraction_matrix(traces).numer_denom()[0].tolist()
-        forms = []
-        for line in whole:
-            form = self._grams[0] * line[0]
-            for gram, c in zip(self._grams[1:], line[1:], strict=True):
-                form += gram * c
-            forms.append(form)
-        content = domain.content([c for form in forms for c in form.entries()])
-        return [divided(form, content) for form in forms]
 
     def reduced(self, coordinates: fmpz_mat, number: int = 0) -> Reduced:
         """Return a basis of a sublattice that is reduced for one of the forms."""

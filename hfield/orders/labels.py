@@ -16,7 +16,7 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, NotationError, UndecidedError, shorten
 from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.whole_numbers import fraction
-from hfield.orders.basis import basis_of
+from hfield.orders.basis import AlgebraBasis, basis_of
 from hfield.orders.generated_orders import checked_ring
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, spanned
@@ -26,10 +26,14 @@ from hfield.orders.ternary_forms import TernaryForm, form_of_order, read_form
 _EXPECTED = "a label is a ternary form such as 'x²+y²+3·z²+y·z', or D.N such as '6.5'"
 
 
+def expect_labels(ambient: AlgebraBasis) -> None:
+    """Raise :class:`UndecidedError` over a base whose orders have no labels yet."""
+    if ambient.degree > 1 or ambient.base.is_polynomial:
+        raise _no_label(f"of orders over {ambient.base.symbol}")
+
+
 def reduced_form(order: LatticeValue) -> TernaryForm:
     """Return the reduced ternary form of a definite order over ℤ."""
-    if order.ambient.base.is_polynomial:
-        raise _no_label(f"of orders over {order.ambient.base.symbol}")
     form = form_of_order(order)
     if order.ambient.base.is_rational:
         return form
@@ -40,8 +44,7 @@ def reduced_form(order: LatticeValue) -> TernaryForm:
 def label(order: LatticeValue) -> str:
     """Return the label. Raises :class:`UndecidedError` for an order that has none yet."""
     ambient = order.ambient
-    if ambient.degree > 1 or ambient.base.is_polynomial:
-        raise _no_label(f"of orders over {ambient.base.symbol}")
+    expect_labels(ambient)
     if ambient.definite:
         return str(reduced_form(order))
     if not is_eichler(order):

@@ -193,13 +193,12 @@ class Lattice(Hinted, PrintedBySympy):
         return f"{symbol}⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
 
     def latex(self) -> str:
-        """Write the lattice by its basis over ℤ, or as a sum of ideals times elements, in LaTeX."""
-        ambient = self.value.ambient
-        if ambient.base.is_rational or ambient.base.is_polynomial:
+        """Write the lattice by a basis of four elements, or as a sum of ideals times elements, in LaTeX."""
+        if len(self.basis) == 4:
             basis = ", ".join(q.text("latex") for q in self.basis)
-            symbol = ambient.domain.latex
+            symbol = self.value.ambient.domain.latex
             return rf"{symbol}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
-        K = number_field_integers(ambient.base).ring
+        K = number_field_integers(self.value.ambient.base).ring
         pairs = []
         for ideal, q in self.pseudo_basis():
             numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
@@ -1584,8 +1583,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     @cached_property
     def _form_of_type(self) -> dict[int, TernaryForm]:
         """The reduced ternary form of the left orders of each type."""
-        if self._base.degree > 1:
-            labels.label(self.order.value)  # which says why there are none
+        labels.expect_labels(self.order.value.ambient)
         kinds = self._classes.types
         firsts = {kind: kinds.index(kind) for kind in range(self.type_number)}
         return {
@@ -1737,7 +1735,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         Units are counted as :attr:`unit_counts` counts them over ℤ, and as :attr:`units` over other bases.
         """
         base = self._base
-        counts = self.unit_counts if base.degree == 1 else self.units
+        counts = [(base.number_of_units or 1) * count for count in self.units]
         return {
             "kind": "class-set",
             "algebra": str(self.order.algebra),

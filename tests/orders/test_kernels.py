@@ -43,6 +43,8 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
         assert rank4.norm(*given) == general.norm(*given)
         assert rank4.content(L.grams[0]) == general.content(L.grams[0])
         assert rank4.volume(ambient, L.matrix, L.den) == general.volume(ambient, L.matrix, L.den)
+        other = lattice_values.conjugate(lattice_values.scaled(L, Fraction(2, 3)))
+        assert rank4.index(L, other) == general.index(L, other) == Fraction(16, 81)
         for side in ("left", "right"):
             given = (L, ambient.norm_products(L.matrix, side))
             assert hermite.hermite(*rank4.order_rows(*given)) == hermite.hermite(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders.base_values import BaseIdeal, ThetaSeries
+from hfield.orders.base_values import BaseIdeal, BaseNumber, ThetaSeries
 from hfield.orders.kernels import general, polynomials, rank4
 
 if TYPE_CHECKING:
@@ -32,6 +32,9 @@ class Kernels:
     norm: Callable[[AlgebraBasis, Sequence[fmpz_mat], fmpz, int], BaseIdeal]
     content: Callable[[fmpz_mat], fmpz]
     volume: Callable[[AlgebraBasis, fmpz_mat, int], BaseIdeal]
+    class_forms: Callable[
+        [AlgebraBasis, Sequence[fmpz_mat], BaseNumber, Sequence[BaseNumber]], list[fmpz_mat]
+    ]
     index: Callable[[LatticeValue, LatticeValue], BaseIdeal]
     order_rows: Callable[[LatticeValue, fmpz_mat], Rows]
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
@@ -46,6 +49,7 @@ class Kernels:
         self.norm = getattr(own, "norm", general.norm)
         self.content = getattr(own, "content", general.content)
         self.volume = getattr(own, "volume", general.volume)
+        self.class_forms = getattr(own, "class_forms", general.class_forms)
         self.index = getattr(own, "index", general.index)
         self.order_rows = getattr(own, "order_rows", general.order_rows)
         self.is_locally_principal = getattr(

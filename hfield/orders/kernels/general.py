@@ -13,9 +13,9 @@ from flint import fmpz, fmpz_mat
 from hfield.errors import TooLargeError
 from hfield.orders import enumeration
 from hfield.orders.base import Counts
-from hfield.orders.base_values import BaseIdeal, ThetaSeries
+from hfield.orders.base_values import BaseIdeal, BaseNumber, ThetaSeries
 from hfield.orders.domains import domain_of
-from hfield.orders.hermite import hermite, stacked, tuples
+from hfield.orders.hermite import divided, hermite, stacked, tuples
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
@@ -73,6 +73,23 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> BaseIdeal:
     for block in blocks:
         found = found * base.ideal_spanned(block, den)
     return found
+
+
+def class_forms(
+    ambient: AlgebraBasis, grams: Sequence[fmpz_mat], norm: BaseNumber, units: Sequence[BaseNumber]
+) -> list[fmpz_mat]:
+    """Return multiples of Tr(u·N(x)/ν), one for each unit u, by one factor, from the forms of N(x)."""
+    base, domain = ambient.base, ambient.domain
+    traces = [[base.trace(u * w / norm) for w in base.integral_basis] for u in units]
+    whole = domain.fraction_matrix(traces).numer_denom()[0].tolist()
+    forms = []
+    for line in whole:
+        form = grams[0] * line[0]
+        for gram, c in zip(grams[1:], line[1:], strict=True):
+            form += gram * c
+        forms.append(form)
+    content = domain.content([c for form in forms for c in form.entries()])
+    return [divided(form, content) for form in forms]
 
 
 def index(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
