@@ -13,6 +13,7 @@ from hfield.cli.catalogue import COMMANDS
 from hfield.cli.parser import Parser, UsageError
 from hfield.errors import HFieldError
 from tests.cli.running import run
+from tests.patience import PATIENCE
 
 
 def refused(capsys, *words):
@@ -264,7 +265,7 @@ def shell(*words, **kwargs):
     return subprocess.run(
         [sys.executable, "-m", "hfield", *words],
         capture_output=True,
-        timeout=60,
+        timeout=PATIENCE,
         env=environment,
         **kwargs,
     )
@@ -275,7 +276,7 @@ def test_a_reader_that_leaves_is_no_error():
     read, write = os.pipe()
     os.close(read)
     done = subprocess.run(
-        [sys.executable, "-c", code], stdout=write, stderr=subprocess.PIPE, timeout=60
+        [sys.executable, "-c", code], stdout=write, stderr=subprocess.PIPE, timeout=PATIENCE
     )
     os.close(write)
     assert done.stderr == b""

@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from tests.patience import PATIENCE
+
 HEAVY = ("sympy", "galois", "numpy", "matplotlib", "flint", "numba", "IPython")
 # Of ours: what Python itself imports differs by version.
 MAX_MODULES = {"--version": 16, "--help": 16, "prove": 150}
@@ -21,7 +23,9 @@ print([name for name in {heavy!r} if name in sys.modules], file=sys.stderr)
 def imported(word, extra=""):
     """Return what a fresh process has imported after ``hfield WORD``."""
     code = PROBE.format(word=word, extra=extra, heavy=HEAVY)
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=PATIENCE
+    )
     assert done.returncode == 0, done.stderr
     return done.stderr.strip()
 
@@ -54,4 +58,4 @@ def test_finite_fields_and_rationals_need_no_sympy_nor_galois(command):
         "import sys; from hfield.cli import main; assert main(sys.argv[1:]) == 0; "
         "assert not {'sympy', 'galois', 'matplotlib'} & set(sys.modules)"
     )
-    subprocess.run([sys.executable, "-c", code, *command], check=True, timeout=60)
+    subprocess.run([sys.executable, "-c", code, *command], check=True, timeout=PATIENCE)

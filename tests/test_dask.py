@@ -74,7 +74,7 @@ def test_a_survey_outlives_a_worker(cluster, tmp_path):
     killed = []
 
     def kill_when_under_way():
-        for _ in range(6000):
+        for _ in range(120_000):
             if path.exists() and path.read_bytes().count(b"\n") >= 16:
                 os.kill(victim, signal.SIGKILL)
                 killed.append(path.read_bytes().count(b"\n"))

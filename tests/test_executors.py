@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from hfield.core.executors import ExecutorError, InProcess, open_executor, unordered
+from tests.patience import PATIENCE
 
 
 def test_in_process_goes_on_only_as_results_are_taken():
@@ -103,7 +104,7 @@ def test_an_interrupt_ends_the_workers():
         interrupted()
     assert workers
     for worker in workers:
-        worker.join(10)
+        worker.join(PATIENCE)
         assert not worker.is_alive()
 
 
@@ -167,7 +168,7 @@ def test_workers_end_with_the_process_that_made_them(tmp_path, way):
         workers = {int(line) for line in lines}
         parent.send_signal(way)
     assert workers
-    deadline = time.monotonic() + 30
+    deadline = time.monotonic() + PATIENCE
     while any(map(alive, workers)) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not any(map(alive, workers))

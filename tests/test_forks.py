@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.patience import PATIENCE
+
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("hfield", "rotation", "anim")
 COMPILING = ("hfield/compiling", "rotation/kernels", "rotation/native")
@@ -20,9 +22,9 @@ WATCH = """
 import os, sys, threading, time
 
 def watch(children):
-    "Print how each child ended; one that still runs after 60 s hangs."
+    "Print how each child ended; one that still runs after ten minutes hangs."
     for child in children:
-        for _ in range(1200):
+        for _ in range(12_000):
             pid, status = os.waitpid(child, os.WNOHANG)
             if pid:
                 print("ended", status)
@@ -78,7 +80,7 @@ def run(code: str, **environment: str) -> str:
         capture_output=True,
         text=True,
         check=False,
-        timeout=300,
+        timeout=PATIENCE,
         env={**os.environ, **environment},
     )
     return done.stdout + done.stderr

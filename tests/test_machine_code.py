@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from hfield.compiling import disk_cache, machine_code
+from tests.patience import PATIENCE
 
 pytestmark = pytest.mark.skipif(
     not machine_code.available(), reason="there is nothing to compile with"
 )
 ADD = "define i64 @entry(i64 %a, i64 %b) {\n  %c = add i64 %a, %b\n  ret i64 %c\n}\n"
-PATIENCE = 60.0  # seconds until a test that waits for a thread is given up
 
 
 @pytest.fixture
@@ -242,7 +242,7 @@ def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Pat
         capture_output=True,
         text=True,
         check=False,
-        timeout=300,
+        timeout=PATIENCE,
         env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
     )
     assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr
@@ -300,7 +300,7 @@ from hfield.compiling import machine_code
 loaded = threading.Event()
 def make(constants):
     loaded.set()
-    threading.Event().wait(60)
+    threading.Event().wait(600)
 A = H("GF(7)")
 A.ring.array_storage = make
 threading.Thread(target=lambda: A.array_storage, daemon=True).start()
@@ -309,7 +309,7 @@ child = os.fork()
 if not child:
     H("GF(5)").array_storage
     os._exit(0)
-for _ in range(600):
+for _ in range(6_000):
     if os.waitpid(child, os.WNOHANG)[0]:
         break
     threading.Event().wait(0.1)

@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+from tests.patience import PATIENCE
+
 SETTINGS = """
 font.size: 30
 axes.facecolor: red
@@ -41,7 +43,12 @@ def test_the_settings_of_a_user_change_nothing(tmp_path) -> None:
     for folder, more in zip(folders, ({}, foreign), strict=True):
         words = [sys.executable, "-c", DRAW]
         done = subprocess.run(
-            words, cwd=folder, env=os.environ | more, capture_output=True, text=True, timeout=120
+            words,
+            cwd=folder,
+            env=os.environ | more,
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
         )
         assert done.returncode == 0, done.stderr
     ours, theirs = ({p.name: p.read_bytes() for p in folder.iterdir()} for folder in folders)

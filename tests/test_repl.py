@@ -10,6 +10,7 @@ import pytest
 from hfield import repl
 from hfield.algebra import H, QuaternionAlgebra
 from hfield.cli import main
+from tests.patience import PATIENCE
 from tests.subcases import slow
 
 
@@ -173,7 +174,7 @@ def talk(tmp_path, lines, code):
     )
     os.close(slave)
     os.write(master, "".join(f"{line}\n" for line in lines).encode())
-    out, _ = process.communicate(timeout=60)
+    out, _ = process.communicate(timeout=PATIENCE)
     os.close(master)
     return out.decode()
 

@@ -8,6 +8,7 @@ from importlib import import_module
 import pytest
 
 from hfield.former_names.rings import MOVED
+from tests.patience import PATIENCE
 
 
 @pytest.mark.parametrize("package", ["rotation", "anim"])
@@ -29,7 +30,7 @@ def test_nothing_is_imported_before_it_is_used() -> None:
         "from hfield.anim import Top\n"
         "assert (Rotation.__module__, Top.__module__) == ('rotation.rotation', 'anim.top')\n"
     )
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=PATIENCE)
 
 
 @pytest.mark.parametrize(

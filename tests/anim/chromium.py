@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.patience import PATIENCE
+
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
 )
@@ -22,8 +24,6 @@ FLAGS = (
     *("--headless=new", "--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader"),
     *("--enable-unsafe-swiftshader", "--no-first-run", "--disable-dev-shm-usage", "--remote-debugging-pipe"),
 )  # fmt: skip
-# Seconds for any one answer: no bound on how quick the browser is, but the end of a wait for one that hangs.
-PATIENCE = 120.0
 AXE = Path(__file__).parents[2] / "docs" / "_build" / "node_modules" / "axe-core" / "axe.min.js"
 
 

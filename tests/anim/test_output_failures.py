@@ -17,6 +17,7 @@ from anim.output import Film, check, open_film
 from anim.output.destination import file_place
 from anim.rendering import Scene, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded
+from tests.patience import PATIENCE
 from tests.subcases import first_quick
 
 
@@ -106,7 +107,7 @@ def limited(*words: str, size: int) -> subprocess.CompletedProcess[str]:
         text=True,
         check=False,
         preexec_fn=limit,
-        timeout=120,
+        timeout=PATIENCE,
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},  # modules would be cut off too
     )
 
@@ -138,7 +139,7 @@ def test_killed_in_the_middle_it_leaves_no_film_and_the_next_run_cleans_up(tmp_p
     path = tmp_path / "top.mp4"
     words = [*COMMAND, "--frames", "20000", "-o", str(path)]
     running = subprocess.Popen(words, stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + PATIENCE
     while not (parts := list(tmp_path.glob(".top.*.part.mp4"))) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert parts

@@ -16,6 +16,7 @@ from anim.physics.contact import follow_compiled
 from anim.physics.integrator import run_compiled
 from tests.anim.steps import kept
 from tests.anim.test_physics_motion import LAUNCHES
+from tests.patience import PATIENCE
 from tests.subcases import subcases
 
 NODE = shutil.which("node")
@@ -42,7 +43,7 @@ def javascript(program: str, **data):
     assert NODE
     source = "\n".join(file.read_text() for file in SOURCES)
     text = f"{source}\nconst data = {json.dumps(data)};\n{program}"
-    done = subprocess.run([NODE, "-"], input=text, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([NODE, "-"], input=text, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 

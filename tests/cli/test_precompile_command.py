@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from hfield.cli import main
+from tests.patience import PATIENCE
 
 
 def precompile(tmp_path, *words):
@@ -24,7 +25,7 @@ def precompile(tmp_path, *words):
 def test_precompile_keeps_what_it_compiles_and_two_may_write(tmp_path):
     both = [precompile(tmp_path, "GF(5)", "(-1,-3|QQ)", "--format", "json") for _ in range(2)]
     for process in both:
-        out, _ = process.communicate(timeout=100)
+        out, _ = process.communicate(timeout=PATIENCE)
         assert process.returncode == 0
         found = json.loads(out)
         assert (found["schema"], found["compiler"]) == ("hfield-precompile/1", True)
@@ -33,7 +34,7 @@ def test_precompile_keeps_what_it_compiles_and_two_may_write(tmp_path):
     files = {path.name: path.read_bytes() for path in folder.iterdir()}
     assert files
     assert all("." not in name for name in files)  # no part of a file is left
-    out, _ = precompile(tmp_path, "GF(5)", "(-1,-3|QQ)").communicate(timeout=100)
+    out, _ = precompile(tmp_path, "GF(5)", "(-1,-3|QQ)").communicate(timeout=PATIENCE)
     assert out.startswith("(-1,-1|GF(5)): ")
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == files
 

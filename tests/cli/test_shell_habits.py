@@ -11,6 +11,7 @@ from hfield.cli import main
 from hfield.cli.catalogue import names
 from hfield.cli.commands import completion, doctor
 from hfield.cli.commands.completion import SCRIPTS, candidates
+from tests.patience import PATIENCE
 from tests.subcases import slow, subcases
 
 
@@ -51,7 +52,7 @@ def test_the_script_is_one_the_shell_reads(capsys, shell):
     script = capsys.readouterr().out
     if which(shell) is None:
         pytest.skip(f"{shell} is not installed")
-    subprocess.run([shell, "-n"], input=script, text=True, check=True, timeout=20)
+    subprocess.run([shell, "-n"], input=script, text=True, check=True, timeout=PATIENCE)
 
 
 @pytest.mark.slow
@@ -61,7 +62,7 @@ def test_bash_completes(tmp_path):
     lines = [SCRIPTS["bash"], "COMP_WORDS=(hfield explain centr)", "COMP_CWORD=2", "_hfield"]
     lines += ['echo "${COMPREPLY[@]}"']
     said = subprocess.run(
-        ["bash"], input="\n".join(lines), text=True, capture_output=True, timeout=60
+        ["bash"], input="\n".join(lines), text=True, capture_output=True, timeout=PATIENCE
     )
     assert "centre" in said.stdout.split()
 
@@ -76,7 +77,7 @@ def test_fish_offers_files_only_where_nothing_else_is_known(tmp_path, typed, off
     script = f"{SCRIPTS['fish']}\ncomplete -C 'hfield {typed}'"
     (tmp_path / "file").touch()
     said = subprocess.run(
-        ["fish"], input=script, text=True, capture_output=True, timeout=60, cwd=tmp_path
+        ["fish"], input=script, text=True, capture_output=True, timeout=PATIENCE, cwd=tmp_path
     )
     words = said.stdout.split()
     assert offered in words

@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+from tests.patience import PATIENCE
+
 pty = pytest.importorskip("pty")
 
 SLOW = """
@@ -52,7 +54,7 @@ class Screen:
 
     def finish(self):
         """Return the exit status and stdout; stderr is read to its end."""
-        out, _ = self.process.communicate(timeout=60)
+        out, _ = self.process.communicate(timeout=PATIENCE)
         try:
             while piece := os.read(self.master, 4096):
                 self.seen += piece.decode()
@@ -80,7 +82,7 @@ def test_a_command_says_what_it_is_at_and_takes_it_back():
 def test_nothing_is_said_into_a_pipe():
     code = "from time import monotonic; end = monotonic() + 1.2\n" + SLOW
     code = code.format(enough="monotonic() > end")
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=PATIENCE)
     assert (done.returncode, done.stderr) == (0, b"")
 
 

@@ -7,6 +7,7 @@ import sys
 import pytest
 
 from hfield.ledger.claim import PANEL
+from tests.patience import PATIENCE
 
 pytestmark = pytest.mark.slow  # the quick tests of the ledger and of the command see parts of this
 BYTES = 1 << 30
@@ -27,7 +28,7 @@ VERDICTS = {"proved", "refuted", "vacuous", "undecided", "not-applicable"}
 
 def shell(*words):
     return subprocess.run(
-        [sys.executable, "-m", "hfield", *words], capture_output=True, text=True, timeout=300
+        [sys.executable, "-m", "hfield", *words], capture_output=True, text=True, timeout=PATIENCE
     )
 
 
@@ -48,7 +49,7 @@ sys.exit(status)
 def whole():
     """Run all claims over the panel once: the results, and the most memory used."""
     done = subprocess.run(
-        [sys.executable, "-c", MEASURED], capture_output=True, text=True, timeout=300
+        [sys.executable, "-c", MEASURED], capture_output=True, text=True, timeout=PATIENCE
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)["results"], 1024 * int(done.stderr or 0)

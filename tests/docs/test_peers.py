@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from hfield import GF, H, QuaternionAlgebra, check, prove
+from tests.patience import PATIENCE
 from tests.subcases import subcases
 
 PAGE = Path(__file__).parents[2] / "docs" / "index.md"
@@ -183,7 +184,9 @@ GAPS = {  # what it prints, where it is right
 @pytest.mark.skipif(shutil.which("gap") is None, reason="GAP is not installed")
 def test_gap() -> None:
     program = "".join(f'Print({text},"\\n");\n' for text in GAPS.values())
-    done = subprocess.run(["gap", "-q"], input=program, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        ["gap", "-q"], input=program, capture_output=True, text=True, timeout=PATIENCE
+    )
     for row, printed in zip(GAPS, done.stdout.split(), strict=True):
         assert (printed == "true") == (table()[row]["GAP"] == "✓"), row
 

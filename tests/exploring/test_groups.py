@@ -18,6 +18,7 @@ from hfield.exploring.group_names import MAX_ORDER, group_invariants, joined
 from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
 from tests.exploring.brute_force import CASES, BruteForce, Case, cases_of
+from tests.patience import PATIENCE
 from tests.subcases import slow
 
 
@@ -265,7 +266,7 @@ def gap(*lines: str) -> list[str]:
         pytest.skip("GAP is not installed")
     program = "SizeScreen([4000, 100]);;\n" + "\n".join(f'Print({line}, "\\n");' for line in lines)
     done = subprocess.run(
-        ["gap", "-q"], input=program, capture_output=True, text=True, timeout=100, check=True
+        ["gap", "-q"], input=program, capture_output=True, text=True, timeout=PATIENCE, check=True
     )
     return done.stdout.split("\n")[: len(lines)]
 

@@ -156,7 +156,8 @@ def test_letters_stand_inside_the_domain_by_their_sides() -> None:
         inwards = ((place / 320 - side.start) / chord).imag * abs(chord) * 320
         assert inwards > size / 2
         assert abs(place / 320) < 1
-    assert all(f">{text}</text>" in svg(D) for text in drawing.letters)
+    picture = svg(D)
+    assert all(f">{text}</text>" in picture for text in drawing.letters)
 
 
 def test_a_page_begins_dark_on_request() -> None:

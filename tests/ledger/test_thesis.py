@@ -14,7 +14,7 @@ from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, dec
 from hfield.ledger.registry import claims, find
 from tests.subcases import first_quick, subcases
 
-PARTS = 6
+PARTS = 12  # every part has each claim over one or two fields
 CHECKABLE = [claim for claim in claims() if claim.checkable]
 ROWS_OF_SECTION = {
     "0": 5,

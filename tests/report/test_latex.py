@@ -18,6 +18,7 @@ from hfield.ledger.paper import decision
 from hfield.ledger.registry import claims
 from hfield.prover.prove import prove
 from hfield.report.paper import paper
+from tests.patience import PATIENCE
 from tests.subcases import subcases
 
 PDFLATEX = shutil.which("pdflatex")
@@ -141,7 +142,7 @@ def test_it_compiles(rows, tmp_path, capsys):
             capture_output=True,
             text=True,
             errors="replace",
-            timeout=120,
+            timeout=PATIENCE,
         )
         assert done.returncode == 0, done.stdout[-1500:]
         assert (tmp_path / f"{name}.pdf").stat().st_size > 10_000

@@ -12,6 +12,7 @@ from hfield.cli.output import OutputError
 from rotation.figures import FIGURES, Drawing, saving, turned_points
 from rotation.figures.drawing import figure_style
 from rotation.plane import LETTER_T
+from tests.patience import PATIENCE
 
 SIGNATURE = {"png": b"\x89PNG\r\n\x1a\n", "svg": b"<?xml", "pdf": b"%PDF"}
 
@@ -250,7 +251,7 @@ def test_no_pyplot_and_no_settings_of_the_user(tmp_path):
     for name, env in (("a", {}), ("b", {"MATPLOTLIBRC": str(tmp_path), "MPLBACKEND": "svg"})):
         words = [sys.executable, "-c", code, str(tmp_path / name)]
         subprocess.run(
-            words, check=True, capture_output=True, env={**os.environ, **env}, timeout=60
+            words, check=True, capture_output=True, env={**os.environ, **env}, timeout=PATIENCE
         )
     both = [(tmp_path / name / "figure-2.1.png").read_bytes() for name in "ab"]
     assert both[0] == both[1]

@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from tests.patience import PATIENCE
+
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs mmap and mprotect of Linux")
 
 SCRIPT = """
@@ -70,7 +72,7 @@ def test_no_kernel_reads_or_writes_beside_its_arrays() -> None:
         [sys.executable, "-c", SCRIPT],
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=PATIENCE,
         check=False,
     )
     assert done.stdout.strip() == "untouched", done.stderr[-2000:]

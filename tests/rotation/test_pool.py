@@ -9,8 +9,7 @@ import pytest
 from hfield.compiling import threads as pool
 from hfield.compiling.threads import share
 from rotation.thread_count import threads
-
-PATIENCE = 20.0  # seconds until a test that waits for a thread is given up
+from tests.patience import PATIENCE
 
 
 @pytest.fixture(autouse=True)

@@ -16,6 +16,7 @@ import rotation
 from hfield.compiling import disk_cache, machine_code
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
+from tests.patience import PATIENCE
 
 ROOT = Path(rotation.__file__).parent.parent
 Q = (1.0, 2.0, 3.0, 4.0)
@@ -26,7 +27,7 @@ def run(code: str, path: Path = ROOT, **environment: str) -> str:
     env = {**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1", **environment}
     command = [sys.executable, "-W", "error", "-c", code]
     done = subprocess.run(
-        command, cwd=path, env=env, capture_output=True, text=True, timeout=300, check=False
+        command, cwd=path, env=env, capture_output=True, text=True, timeout=PATIENCE, check=False
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
@@ -87,7 +88,7 @@ def test_spawned_pools_work() -> None:
 
     points = np.arange(30.0).reshape(10, 3)
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        there = pool.submit(rotate_quat, points, Q).result(timeout=120)
+        there = pool.submit(rotate_quat, points, Q).result(timeout=PATIENCE)
     np.testing.assert_array_equal(there, rotate_quat(points, Q))
 
 

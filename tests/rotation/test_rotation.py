@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from hfield import QQ, H
 from rotation import DTypeError, Rotation, RotationError
+from tests.patience import PATIENCE
 from tests.rotation import reference
 from tests.rotation.reference import exact, length, mp
 
@@ -435,7 +436,7 @@ def test_imports_are_light() -> None:
         "heavy = {'numba', 'scipy', 'matplotlib', 'sympy', 'galois', 'flint'} & set(sys.modules)\n"
         "sys.exit(str(heavy) if heavy else 0)"
     )
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=PATIENCE)
     import rotation
 
     assert set(rotation.__all__) <= set(dir(rotation))

@@ -19,6 +19,7 @@ from rotation import (
     rotate_quat,
     slerp,
 )
+from tests.patience import PATIENCE
 
 THIRD = sympy.pi / 3
 with mpmath.workdps(40):
@@ -103,4 +104,4 @@ def test_sympy_is_not_imported_to_tell():
         "except TypeError: pass\n"
         "assert 'sympy' not in sys.modules"
     )
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=PATIENCE)
