@@ -27,15 +27,10 @@ class Catalogue(Mapping[str, T]):
         folders = import_module(self.package).__path__
         return tuple(sorted(module.name for module in iter_modules(folders)))
 
-    def summary(self, name: str) -> str:
-        """Return the first line of a module's docstring, without importing it."""
-        spec = find_spec(f"{self.package}.{name}")
-        assert spec is not None
-        assert spec.origin is not None
-        with open(spec.origin, encoding="utf-8") as source:
-            return (
-                (ast.get_docstring(ast.parse(source.read())) or "").partition("\n")[0].rstrip(".")
-            )
+    @cached_property
+    def summaries(self) -> dict[str, str]:
+        """The first lines of the docstrings by the names of the modules, which are not imported."""
+        return {name: _summary(f"{self.package}.{name}") for name in self.names}
 
     def __getitem__(self, name: str) -> T:
         if name not in self.names:
@@ -51,3 +46,12 @@ class Catalogue(Mapping[str, T]):
 
     def __len__(self) -> int:
         return len(self.names)
+
+
+def _summary(module: str) -> str:
+    spec = find_spec(module)
+    assert spec is not None
+    assert spec.origin is not None
+    with open(spec.origin, encoding="utf-8") as source:
+        docstring = ast.get_docstring(ast.parse(source.read())) or ""
+    return docstring.partition("\n")[0].rstrip(".")

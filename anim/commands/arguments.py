@@ -153,7 +153,8 @@ def _picture(group: _ArgumentGroup) -> None:
     group.add_argument(
         "--style",
         metavar="|".join(STYLES),
-        help="; ".join(f"{name}: {STYLES.summary(name)}" for name in STYLES) + " (default: shaded)",
+        help="; ".join(f"{name}: {text}" for name, text in STYLES.summaries.items())
+        + " (default: shaded)",
     )
     group.add_argument(
         "--camera",

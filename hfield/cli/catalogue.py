@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -117,6 +118,7 @@ def _load(name: str) -> Any:
     raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
 
 
+@cache
 def _foreign() -> dict[str, EntryPoint]:
     """Return the entry points of other packages by the name of their command."""
     from importlib.metadata import entry_points

@@ -82,7 +82,7 @@ def test_what_is_in_a_catalogue(catalogue: Catalogue) -> None:
     assert len(catalogue) == len(catalogue.names) >= 3
     for name in catalogue:
         assert catalogue[name] is catalogue[name]
-        assert catalogue.summary(name).strip()
+        assert catalogue.summaries[name].strip()
     with pytest.raises(KeyError):
         catalogue["nothing"]
     assert "nothing" not in catalogue
