@@ -50,9 +50,9 @@ def test_pictures_depend_on_the_arguments_only(style):
         assert first == list(own)
         tasks = [
             FrameTask(MODEL, look, matrix[None], trail, np.zeros((1, 3))) for matrix, trail in jobs
-        ] * 8
+        ] * 3
         drawn = [picture.tobytes() for picture in pool.map(draw, tasks)]
-        assert drawn == first * 8
+        assert drawn == first * 3
 
 
 @pytest.mark.parametrize("style", STYLES)
