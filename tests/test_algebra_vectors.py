@@ -35,7 +35,7 @@ def test_agrees_with_pari(name: str, part: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["GF(7)", "GF(4)", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "ZZ/6", "QQ"]
+    "name", first_quick(["GF(7)", "GF(9)", "QQ", "GF(4)", "GF(2^8)", "GF(9, x^2+1)", "ZZ/6"], 3)
 )
 def test_a_batch_does_what_its_elements_do(name: str) -> None:
     F = ring(name)

@@ -226,6 +226,7 @@ def test_the_check_can_fail() -> None:
     assert not breaches("hfield.algebra", "from hfield.core import product\n")
 
 
+@pytest.mark.slow
 def test_only_orders_import_kinds_of_fields() -> None:
     """Outside its folder a kind of field is known by what it can do, by data and by names."""
     importers = {part_of(module) for module, source in sources() if kinds_known(module, source)}

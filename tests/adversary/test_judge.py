@@ -55,11 +55,13 @@ def said(data: Certificate, scope: str | None = None) -> str:
     return false_claim(data, established(*parts, scope))
 
 
+@pytest.mark.slow
 def test_what_is_true_is_called_true() -> None:
     for data in pool():
         assert said(data, check(data).scope) == "", data["statement"]
 
 
+@pytest.mark.slow
 def test_what_is_false_is_called_false() -> None:
     forged = [(t, None) for t in TARGETS] + list(FILES)
     blind = {t.statement for t, evidence in forged if not said(t.certificate(evidence))}

@@ -34,6 +34,7 @@ def test_every_kind_of_algebra_is_confirmed_by_exhaustion(q):
         confirm(F, constants(F.name, a, t, b))
 
 
+@pytest.mark.slow
 def test_hamilton_up_to_32():
     for q in UP_TO_32:
         found = confirm(ring(f"GF({q})"), constants(f"GF({q})", -1, 0, -1))
@@ -135,7 +136,7 @@ def test_what_cannot_be_counted():
         tally(ring("GF(101)"), constants("GF(101)", -1, 0, -1))
 
 
-@pytest.mark.parametrize("name", ["GF(4)", "GF(5)", "GF(9)", "ZZ/6", "ZZ/8"])
+@pytest.mark.parametrize("name", first_quick(["GF(4)", "ZZ/6", "GF(5)", "GF(9)", "ZZ/8"], 2))
 def test_loops_and_tables_count_the_same(name, monkeypatch):
     from hfield.algebra.structure.counting import tally
 

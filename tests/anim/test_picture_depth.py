@@ -103,7 +103,7 @@ OUTLINES = {
 }
 
 
-@pytest.mark.parametrize(("name", "style"), pairs_quick(OUTLINES, ["flat", "shaded"], 2))
+@pytest.mark.parametrize(("name", "style"), pairs_quick(OUTLINES, ["flat", "shaded"], 4))
 def test_depth_is_right_for_other_outlines(style, name, attitudes):
     model = Model.from_outline(OUTLINES[name], bands=7)
     # Rays know nothing of the picture's unit: the model is as large as its picture.
@@ -164,6 +164,7 @@ def test_seams_without_overlap_would_be_found(monkeypatch, attitudes):
     assert leaking(1000, attitudes[20:30]) > 5 * LIMIT
 
 
+@pytest.mark.slow
 def test_flat_and_shaded_agree_on_a_coarse_top():
     # With few points the cones are no reference; but outlines and triangles are independent.
     model, rng = Model(ring=5, bands=5), np.random.default_rng(5)

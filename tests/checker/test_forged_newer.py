@@ -165,6 +165,7 @@ def test_lattices_lie_in_an_algebra_over_the_rational_numbers(algebra: str, fiel
     rejects(data, ".")
 
 
+@pytest.mark.slow
 def test_evidence_about_lattices_has_no_key_that_is_not_used() -> None:
     used = ("between", "trace", "norm", "bases", "basis", "element", "classes", "den", "rows", "x")
     for data in true_ones():

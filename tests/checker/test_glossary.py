@@ -61,6 +61,7 @@ def test_every_decision_speaks_in_these_words() -> None:
         assert methods <= {*METHODS, *UNCERTIFIED}
 
 
+@pytest.mark.slow
 def test_every_method_of_a_certificate_is_one_that_the_checker_finds() -> None:
     folder = "hfield/checker"
     given = {m for c in calls("CheckResult", folder) for m in written(c, 1, "method")}

@@ -55,6 +55,7 @@ def is_irreducible(f: Sequence[int]) -> bool:
     return len(factors) == 1 and factors[0][1] == 1
 
 
+@pytest.mark.slow
 def test_what_is_reducible_is_no_field() -> None:
     """Small polynomials of degree 2 to 6, and products that no prime tells from irreducible ones."""
     rng = random.Random(5)

@@ -145,6 +145,7 @@ def test_the_area_is_that_of_the_formula() -> None:
         assert area(checked, RationalPrimes()) == order.norm_one_group().area
 
 
+@pytest.mark.slow
 def test_no_number_can_be_changed() -> None:
     """One to three changes anywhere in the evidence: what passes is the statement, which is true."""
     tried, passed = changed_and_passed(7, (both(*which)[0] for which in ORDERS), 60)

@@ -81,6 +81,7 @@ def test_cyclotomic_polynomials(n: int) -> None:
         assert [int(c.p) for c in ring(name).polynomial.coeffs()] == twice_cosine(n)
 
 
+@pytest.mark.slow
 @subcases("polynomial", FIELDS)
 def test_signs_are_those_of_the_real_places(polynomial: str) -> None:
     K, checked, rng = field(polynomial), read_field(f"QQ[x]/({polynomial})"), Random(1)

@@ -106,6 +106,7 @@ def test_masses_of_small_discriminants() -> None:
         assert mass(mirrored(O), RationalPrimes()) == Fraction(expected)
 
 
+@pytest.mark.slow
 def test_what_is_too_large_to_factor_is_rejected() -> None:
     with bounded():
         assert factored(2**5 * 3 * 1000003) == {2: 5, 3: 1, 1000003: 1}

@@ -1,5 +1,7 @@
 """Statements about orders, ideals and embeddings, one by one: what is accepted and why others are not."""
 
+import pytest
+
 from hfield import QuaternionAlgebra
 from tests.checker.cases import about_field
 from tests.checker.order_certificates import (
@@ -62,6 +64,7 @@ def test_an_eichler_order_is_not_maximal() -> None:
     rejects({**data, "statement": data["statement"][:-1] + "; maximal}"}, "maximal at 3")
 
 
+@pytest.mark.slow
 def test_what_both_orders_have_tells_nothing() -> None:
     O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
     data = O.isomorphism(O.ideals_of_norm(2)[0].right_order()).certificate

@@ -8,6 +8,7 @@ import pytest
 
 from hfield import Rejected, check, prove, ring
 from hfield.checker.scalars.fields import read_ring
+from tests.subcases import pairs_quick, share_quick
 from tests.thorough import quick_part
 
 RINGS = [
@@ -30,7 +31,7 @@ RINGS = [
 ]
 
 
-@pytest.mark.parametrize("name", RINGS)
+@pytest.mark.parametrize("name", share_quick(RINGS, 2))
 def test_the_checker_writes_the_name_and_computes_alike(name: str) -> None:
     here = ring(name)
     there = read_ring(here.data)
@@ -46,8 +47,10 @@ def test_the_checker_writes_the_name_and_computes_alike(name: str) -> None:
         assert here.is_unit(x) == (there.inverse(there.read(here.text(x))) is not None)
 
 
-@pytest.mark.parametrize("name", RINGS)
-@pytest.mark.parametrize("statement", ["norm(p*q) == norm(p)*norm(q)", "2*p*q == 3*q*p"])
+@pytest.mark.parametrize(
+    ("name", "statement"),
+    pairs_quick(RINGS, ["norm(p*q) == norm(p)*norm(q)", "2*p*q == 3*q*p"], 2),
+)
 def test_certificates_are_accepted_and_none_for_the_opposite(name: str, statement: str) -> None:
     answer = prove(statement, name)
     good: Any = answer.certificate

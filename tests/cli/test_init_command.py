@@ -7,6 +7,7 @@ import pytest
 from tests.cli.running import run
 
 
+@pytest.mark.slow
 def test_the_ledger_is_decided(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
     status, _, err = run(capsys, "init", "lemmas.toml")

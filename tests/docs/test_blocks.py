@@ -74,6 +74,7 @@ def test_what_the_page_on_the_language_says_of_examples(statement, said):
             assert answer.to_json()["scope"] == scope
 
 
+@pytest.mark.slow
 def test_the_exercise_sheet_is_decided_as_its_page_says(capsys, tmp_path, monkeypatch):
     (sheet,) = (
         text for page, kind, text in blocks() if (page, kind) == ("class-of-students.md", "toml")

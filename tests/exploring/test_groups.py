@@ -85,7 +85,7 @@ SMALL = [
 ]
 
 
-@pytest.mark.parametrize("case", SMALL, ids=str)
+@pytest.mark.parametrize("case", [*SMALL[:6], *map(slow, SMALL[6:])], ids=str)
 def test_automorphisms_by_brute_force(case: Case) -> None:
     A = case.algebra
     everything = list(A.elements())
@@ -160,6 +160,7 @@ def test_names(algebra, units: str, special: str, automorphisms: str) -> None:
     assert algebra.automorphism_group().structure == automorphisms
 
 
+@pytest.mark.slow
 def test_groups_without_a_name_have_invariants() -> None:
     H16 = H("ZZ/16").special_unit_group()
     assert H16.order > MAX_ORDER
@@ -184,6 +185,7 @@ def test_invariants_of_linear_groups_against_listing(algebra) -> None:
         )
 
 
+@pytest.mark.slow
 def test_invariants_of_products() -> None:
     G = H("ZZ/6").unit_group()
     listed = FiniteGroup(G._group.members, G._labels.products, G._labels.number(G.algebra.one))
@@ -218,6 +220,7 @@ def test_large_linear_groups_are_known_by_formulas() -> None:
     assert sum(map(len, H(GF(31)).conjugacy_classes())) == 31**4
 
 
+@pytest.mark.slow
 def test_large_groups_that_are_listed() -> None:
     # of more elements than make compiled loops pay
     A = QuaternionAlgebra("GF(19)", 2, 0)  # modulo its radical the field of 361 elements

@@ -10,7 +10,7 @@ from hfield import GF, QQ, H, QuaternionAlgebra
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
 from hfield.exploring.pictures import PICTURES, PictureError, figure
 from tests.exploring.brute_force import BruteForce, Case
-from tests.subcases import slow
+from tests.subcases import share_quick, slow
 
 
 @pytest.mark.parametrize(
@@ -27,7 +27,7 @@ def test_graphs_by_brute_force(case: Case) -> None:
         assert len(edges) == len(expected)
 
 
-@pytest.mark.parametrize("what", PICTURES)
+@pytest.mark.parametrize("what", share_quick(PICTURES, 2))
 @pytest.mark.parametrize("dark", [False, slow(True)])
 def test_pictures_are_written(tmp_path, what: str, dark: bool) -> None:
     A = H(GF(2)) if dark else H(GF(3))

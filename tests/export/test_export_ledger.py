@@ -29,6 +29,7 @@ def test_everything_universal_is_exported():
     assert len(names) == len(export.theorems) > 220
 
 
+@pytest.mark.slow
 def test_claims_in_words_are_proved_by_hand(export):
     stated = set(export.names)
     for claim, theorems in export.by_hand:

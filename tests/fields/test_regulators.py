@@ -23,6 +23,7 @@ from hfield.checker.scalars.number_fields import NumberField
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.classes.short_integers import shortest_logarithm
 from hfield.fields.number_fields.ideals import integers
+from tests.subcases import share_quick
 
 FIELDS = (
     "QQ[s]/(s^3-2)", "QQ[s]/(s^3-s^2-2*s+1)", "QQ[s]/(2*s^3-3*s-7)", "QQ(zeta5)", "QQ[s]/(s^4-s-1)",
@@ -31,7 +32,7 @@ FIELDS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", share_quick(FIELDS, 3))
 def test_bounds_are_below_regulators(name: str) -> None:
     """The prover's bound is below the checker's, that below the regulator, by less than a thousand."""
     K = ring(name)

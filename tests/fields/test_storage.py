@@ -58,7 +58,7 @@ def algebra(name, constants):
     return QuaternionAlgebra(ring(name), a, b, t)
 
 
-@pytest.mark.parametrize("name", EXACT)
+@pytest.mark.parametrize("name", share_quick(EXACT, 2))
 @settings(max_examples=2, deadline=None, derandomize=True)
 @given(seed=st.integers(0, 999))
 def test_every_operation_is_the_formula(name, seed) -> None:

@@ -15,7 +15,7 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.orders.lattice import Order
-from tests.subcases import share_quick, subcases
+from tests.subcases import first_quick, share_quick, subcases
 from tests.thorough import quick_part
 
 # D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)
@@ -87,6 +87,7 @@ def interior(D, n: int) -> float:
     return cmath.phase(seen(before) / seen(after)) % (2 * math.pi)
 
 
+@pytest.mark.slow
 @subcases(("D", "N"), KNOWN)
 def test_shimura_curves(D: int, N: int) -> None:
     size, two, three, genus = KNOWN[D, N]
@@ -199,6 +200,7 @@ def test_modulo_the_normaliser_over_a_field(field, real, primes, index, orders) 
         assert O.left_ideal([w]) == O.right_ideal([w])
 
 
+@pytest.mark.slow
 def test_modulo_the_normaliser_of_eichler_orders_over_a_field() -> None:
     """Triangle groups commensurable to (2, 3, 7) and (2, 3, 9), by their areas of level P₂, P₇ and P₃."""
     for field, p, orders in [
@@ -212,6 +214,7 @@ def test_modulo_the_normaliser_of_eichler_orders_over_a_field() -> None:
         assert O.norm_one_group().quotient().signature == (0, orders, 0)
 
 
+@pytest.mark.slow
 def test_the_index_in_the_normaliser_against_pari() -> None:
     """[U⁺ : U²] times the pairs (class of 𝔞, S) with 𝔞²·∏Pᵉ narrowly principal, with PARI's class groups."""
     pari = pytest.importorskip("cypari", reason="cypari, an oracle, is not installed").pari
@@ -317,7 +320,7 @@ def test_units_of_norms() -> None:
     assert G.unit_of_norm(-1) is None
 
 
-@pytest.mark.parametrize(("D", "N"), [(10, 1), (6, 5), (10, 9), (1, 8), (22, 3)])
+@pytest.mark.parametrize(("D", "N"), first_quick([(10, 1), (6, 5), (1, 8), (10, 9), (22, 3)], 3))
 def test_traces_of_words(D: int, N: int) -> None:
     """Those of products of units are those that embeddings allow, each of them up to 20."""
     G = order(D, N).norm_one_group()

@@ -5,6 +5,8 @@ import sys
 from importlib import import_module
 from typing import Any
 
+import pytest
+
 import hfield
 from hfield.core import product
 from hfield.errors import HFieldError
@@ -15,6 +17,7 @@ CHAPTER = [claim for claim in claims() if claim.id.startswith("C1")]
 CHECKABLE = [claim for claim in CHAPTER if claim.checkable]
 
 
+@pytest.mark.slow
 def test_a_broken_product_turns_rows_red(monkeypatch: Any) -> None:
     """With i·j = −k the prover, the structure package and the witnesses disagree with the thesis."""
     true = product.multiply

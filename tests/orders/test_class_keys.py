@@ -19,6 +19,7 @@ from hfield.orders.lattice_values import (
     product,
 )
 from hfield.orders.neighbours import Neighbours
+from tests.subcases import share_quick
 
 ORDERS = [
     ("QQ", 11, 1), ("QQ", 37, 6), ("QQ", 2, 9), ("QQ[s]/(s-1)", 11, 3), ("QQ(sqrt(5))", -1, 7),
@@ -41,7 +42,7 @@ def primes(O: LatticeValue) -> list[Any]:
     return [P for p in (2, 3, 5, 7) for _, P in O.ambient.base.primes_above(p)][:5]
 
 
-@pytest.mark.parametrize(("name", "number", "level"), ORDERS)
+@pytest.mark.parametrize(("name", "number", "level"), share_quick(ORDERS, 3))
 def test_neighbours_are_the_subideals(name: str, number: int, level: int) -> None:
     O = order(name, number, level)
     C = Classes(O)
@@ -67,7 +68,7 @@ def test_both_kinds_of_primes_were_among_them() -> None:
     assert {O.ambient.base.valuation(discriminant(O), P) for P in primes(O)} == {0, 1, 2}
 
 
-@pytest.mark.parametrize(("name", "number", "level"), ORDERS)
+@pytest.mark.parametrize(("name", "number", "level"), share_quick(ORDERS, 3))
 def test_keys_are_lattices_of_the_class(name: str, number: int, level: int) -> None:
     """x⁻¹·I as a key is x⁻¹·I as a lattice; c·I has the keys of I; and other bases do not matter."""
     O = order(name, number, level)

@@ -14,7 +14,7 @@ from hfield.errors import TooLargeError
 from hfield.orders.generated_orders import checked_ring
 from hfield.orders.lattice import Lattice, Order
 from hfield.orders.orders_at_primes import OrderAtPrime
-from tests.subcases import share_quick
+from tests.subcases import first_quick, share_quick
 
 # class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is
 # no integer
@@ -28,7 +28,7 @@ def split_primes(A, *numbers):
     return [P for p in numbers for P in A.ring.primes_above(p) if P not in ramified]
 
 
-@pytest.mark.parametrize("name", ALGEBRAS)
+@pytest.mark.parametrize("name", share_quick(ALGEBRAS, 3))
 def test_eichler_orders(name: str) -> None:
     A = QuaternionAlgebra(name)
     M = A.maximal_order()
@@ -55,7 +55,7 @@ def test_levels_where_residues_are_fractions_in_the_generator() -> None:
         assert A.maximal_order() >= A.eichler_order(level)
 
 
-@pytest.mark.parametrize("name", share_quick(ALGEBRAS, 3))
+@pytest.mark.parametrize("name", first_quick(ALGEBRAS, 1))
 def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
     """Against all right ideals x·O + P·O with x modulo P, for orders of every Eichler symbol."""
     A = QuaternionAlgebra(name)
@@ -257,6 +257,7 @@ def test_what_is_refused() -> None:
         A.order(["2*i", "2*j"]).two_sided_prime(K.primes_above(2)[0])
 
 
+@pytest.mark.slow
 def test_maximal_orders_have_the_discriminants_of_pari() -> None:
     pari = pytest.importorskip("cypari", reason="cypari is not installed (extra 'oracles')").pari
     pari.allocatemem(10**9, silent=True)

@@ -27,7 +27,7 @@ def algebras(name: str) -> list[QuaternionAlgebra]:
     return out
 
 
-@pytest.mark.parametrize("name", share_quick(FIELDS, 3))
+@pytest.mark.parametrize("name", share_quick(FIELDS, 6))
 def test_maximal_orders(name: str) -> None:
     """A ring of integral elements whose discriminant is the product of the ramified primes."""
     for A in algebras(name):

@@ -9,7 +9,7 @@ from tests.orders.recomputed import OPERATIONS, run
 from tests.subcases import first_quick, subcases
 from tests.thorough import cases
 
-CASES, PARTS = cases(80), 4
+CASES, PARTS = cases(80), 8
 
 
 @pytest.mark.parametrize("part", first_quick(range(PARTS), 1))

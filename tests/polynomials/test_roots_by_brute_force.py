@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from hfield import NotFiniteError, QuaternionAlgebra, TooLargeError, UndecidedError, ring
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 
 
 class Everything:
@@ -126,7 +126,9 @@ def test_planted_roots_over_infinite_fields(text):
         assert not any(f.divmod_right(P([n, -t, 1]))[1] for t, n in found.spheres)
 
 
-@pytest.mark.parametrize("text", ["(1,1|GF(2))", "(0,0|GF(2))", "[1,0|GF(2))", "[0,0|GF(2))"])
+@pytest.mark.parametrize(
+    "text", first_quick(["(1,1|GF(2))", "[1,0|GF(2))", "(0,0|GF(2))", "[0,0|GF(2))"], 2)
+)
 def test_every_product_of_two_and_no_other(text):
     A = QuaternionAlgebra.from_text(text)
     P, elements = A.polynomials(), list(A.elements())

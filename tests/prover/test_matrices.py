@@ -176,6 +176,7 @@ def test_the_ledger_of_exercises_can_be_read(tmp_path: Path) -> None:
     assert len(read_ledger(tmp_path / "sheet.toml")) == len(exercises()) == 10
 
 
+@pytest.mark.slow
 @subcases("claim", exercises())
 def test_exercises_and_forged_certificates(claim: Any) -> None:
     """Each is decided; its certificate passes for no spoilt statement, and spoilt ones are refuted."""

@@ -17,7 +17,7 @@ from hfield.prover.polynomials.sums_of_squares import as_sum_of_squares
 from hfield.prover.statements.printing import to_latex, to_unicode
 from hfield.prover.statements.setting import read_setting
 from hfield.syntax import parse
-from tests.subcases import pairs_quick
+from tests.subcases import first_quick, pairs_quick
 
 ORDERED = [None, "QQ", "QQ(sqrt(2))", "RR"]
 STATEMENTS = [
@@ -47,7 +47,7 @@ STATEMENTS = [
 ]
 
 
-@pytest.mark.parametrize(("case", "field"), pairs_quick(STATEMENTS, ORDERED, 3))
+@pytest.mark.parametrize(("case", "field"), pairs_quick(STATEMENTS, ORDERED, 5))
 def test_statements_with_an_order(case: tuple[str, str], field: str | None) -> None:
     statement, verdict = case
     answer = prove(statement, field)
@@ -111,7 +111,7 @@ def _forms() -> list[tuple[str, Any]]:
     ]
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", first_quick(range(12), 4))
 def test_quadratic_forms_are_as_their_eigenvalues_say(seed: int) -> None:
     rng = Random(seed)
     parts = [(rng.randint(-3, 6), *part) for part in rng.sample(_forms(), 4)]

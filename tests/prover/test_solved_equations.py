@@ -14,7 +14,7 @@ from hfield.prover.problem import Problem
 from hfield.prover.statements.language import read_statement
 from hfield.prover.statements.setting import read_setting
 from tests.checker.cases import certified
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 from tests.thorough import quick_part
 
 P = 2**64 - 59  # a prime, 5 modulo 8, and 2 modulo 3
@@ -71,7 +71,7 @@ def test_without_a_certificate() -> None:
     assert answer.certificate is None
 
 
-@pytest.mark.parametrize("n", [4, 6, 8, 9, 12, 30])
+@pytest.mark.parametrize("n", first_quick([12, 9, 4, 6, 8, 30], 2))
 def test_linear_equations_over_residues(n: int) -> None:
     """Two equations in two unknowns over ℤ/n have the solutions that trying all cases finds."""
     setting = read_setting(f"ZZ/{n}")

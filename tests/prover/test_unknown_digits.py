@@ -338,7 +338,7 @@ def judge(name, seed, timeout=2.0):
     return question, found, truths
 
 
-@pytest.mark.parametrize("name", first_quick(FIELDS, 3))
+@pytest.mark.parametrize("name", first_quick(FIELDS, 2))
 def test_random_statements_are_decided_as_for_all_numbers_with_these_digits(name):
     seen = set()
     for seed in range(cases(100)):

@@ -31,6 +31,7 @@ from tests.rotation.roundings import (
     two_product,
     two_sum,
 )
+from tests.subcases import first_quick, pairs_quick
 
 POINT = [Number({j: (1.0, 1.0)}, degree=1) for j in range(4)]  # a coordinate is a linear form
 
@@ -281,8 +282,7 @@ def known(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("known")
-@pytest.mark.parametrize("quarter", range(4))
-@pytest.mark.parametrize("face", range(3))
+@pytest.mark.parametrize(("face", "quarter"), pairs_quick(range(3), range(4), 6))
 def test_many_points_turned_about_axes(face: int, quarter: int) -> None:
     """Axes with coordinates ≥ 0: the other signs come from mirrors, and from −angles about −axes."""
     least, most = np.array([0.0, 0.0, -ENDS[-1]]), np.array([1.0, 1.0, ENDS[-1]])
@@ -335,7 +335,7 @@ def turned_by(face: int, low: Any, high: Any) -> Any:
 
 
 @pytest.mark.usefixtures("known")
-@pytest.mark.parametrize("face", range(4))
+@pytest.mark.parametrize("face", first_quick(range(4), 1))
 def test_many_points_turned_by_quaternions_of_any_length(face: int) -> None:
     largest, _ = proved(partial(turned_by, face), halves(16), 10.0)
     assert largest < 10.0  # 5·2⁻⁵²

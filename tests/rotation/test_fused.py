@@ -10,6 +10,7 @@ import pytest
 from rotation import kernels
 from rotation.errors import RotationError, ZeroRotationError
 from rotation.fused import rotate, rotate_euler, rotate_quat
+from tests.subcases import share_quick
 from tests.thorough import pairwise
 
 RNG = np.random.default_rng(3)
@@ -25,7 +26,9 @@ def test_there_are_24_sequences() -> None:
     assert len(set(SEQUENCES)) == 24
 
 
-@pytest.mark.parametrize(("seq", "layout"), pairwise(SEQUENCES + SHORT, ("aos", "soa")))
+@pytest.mark.parametrize(
+    ("seq", "layout"), share_quick(pairwise(SEQUENCES + SHORT, ("aos", "soa")), 5)
+)
 def test_euler_angles_are_scipys(seq: str, layout: Any) -> None:
     transform = pytest.importorskip("scipy.spatial.transform")
     angles = EULER[:, : len(seq)]

@@ -72,6 +72,7 @@ def test_davenport_angles_come_back(order: str, lean: float) -> None:
     assert Rotation.from_davenport(axes, order, again).approx_equal(locked, atol=1e-13)
 
 
+@pytest.mark.slow
 def test_davenport_angles_about_coordinate_axes_are_eulers() -> None:
     e = {c: np.eye(3)["xyz".index(c)] for c in "xyz"}
     r = Rotation.random(50, seed=5)

@@ -66,6 +66,7 @@ def test_identities_and_their_negations(identity: str) -> None:
     assert abs(complex(expression.subs({t: 0.37, u: -1.1}).evalf())) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", first_quick([5, 6, 7], 1))
 def test_random_expressions_against_trigsimp_and_numbers(seed: int) -> None:
     rng, terms = (

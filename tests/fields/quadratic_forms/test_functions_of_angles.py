@@ -11,6 +11,7 @@ import sympy
 
 from hfield import CoercionError, H, NoSolutionError, NotationError, check, prove, ring, to_sympy
 from hfield.errors import TooLargeError, UndecidedError
+from tests.subcases import slow
 
 t, u = sympy.symbols("t u")
 F, G = ring("QQ(cos(t),sin(t))"), ring("QQ(cos(t),sin(t),cos(u),sin(u))")
@@ -198,7 +199,7 @@ AXIS = "(cos(u)*i + sin(u)*j)"  # of length 1, in any direction of the plane of 
         (f"{AXIS}^2 == -1", G, "proved"),
         (f"norm(cos(t) + sin(t)*{AXIS}) == 1", G, "proved"),
         (f"(cos(t) + sin(t)*{AXIS})^3 == cos(3*t) + sin(3*t)*{AXIS}", G, "proved"),
-        (f"inv(cos(t) + sin(t)*{AXIS}) == cos(t) - sin(t)*{AXIS}", G, "proved"),
+        slow(f"inv(cos(t) + sin(t)*{AXIS}) == cos(t) - sin(t)*{AXIS}", G, "proved"),
         (f"(cos(t) + sin(t)*{AXIS})^2 == cos(t) + sin(2*t)*{AXIS}", G, "refuted"),
         ("(cos(t) + sin(t)*k)*(cos(u) + sin(u)*k) == cos(t+u) + sin(t+u)*k", G, "proved"),
         ("norm((cos(t) + sin(t)*k)*p) == norm(p)", F, "proved"),

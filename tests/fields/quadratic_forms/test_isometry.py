@@ -91,6 +91,7 @@ def test_with_t_and_denominators():
     assert j * i == 5 * j - k
 
 
+@pytest.mark.slow
 def test_primes_that_are_given_are_used():
     a, b = -P * Q, -7
     A, B = QuaternionAlgebra("QQ", a, b), QuaternionAlgebra("QQ", a * 10**4, b * 121)
@@ -146,6 +147,7 @@ def is_local_square(s, v):
     return all(hilbert_symbol_q(s, n, v) == 1 for n in others)
 
 
+@pytest.mark.slow
 def test_square_roots_of_scalars_of_trace_0():
     rng = random.Random(3)
     seen = set()

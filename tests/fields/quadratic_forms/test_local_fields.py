@@ -111,6 +111,7 @@ def test_square_classes_are_as_many_as_they_should_be(name):
     assert all(sum(row) == 0 for row in signs[1:])  # half of the classes are norms
 
 
+@pytest.mark.slow
 @subcases("name", COMPLETIONS)
 def test_an_inexact_number_is_decided_as_all_numbers_in_it(name):
     F, rng = ring(name), Random(4)
@@ -276,6 +277,7 @@ def test_verdicts(statement, algebra, verdict):
     assert prove(statement, algebra=algebra).verdict == verdict
 
 
+@pytest.mark.slow
 def test_products_of_classes_over_small_fields_by_exhaustion():
     """(a, b) = 1 exactly where z² = a·x² + b·y² has a primitive solution modulo p³, or modulo 2⁵ at 2."""
     for p, n in ((2, 5), (3, 2), (5, 2)):

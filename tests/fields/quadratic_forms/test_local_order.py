@@ -19,6 +19,7 @@ FIELDS = (
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @subcases("name", FIELDS)
 def test_a_plane_with_a_zero_exactly_where_the_symbol_is_1(name):
     F, rng = ring(name), Random(5)
