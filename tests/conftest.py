@@ -78,16 +78,18 @@ def pytest_collect_directory(path: Path, parent: pytest.Collector) -> pytest.Col
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out slow tests, unless they are asked for, and all cases but the first under ``--once``.
 
-    Workers must agree on the order.
+    Workers must agree on the order. Files with slow tests come first, or one worker would end with a long
+    test while the others are done.
     """
-    if hasattr(config, "workerinput"):
-        items.sort(key=lambda item: item.path)
     if config.getoption("once"):
         items[:] = {item.nodeid.partition("[")[0]: item for item in reversed(items)}.values()
         items.reverse()
     if not (config.getoption("runslow") or config.getoption("markexpr")):
         config.hook.pytest_deselected(items=[i for i in items if i.get_closest_marker("slow")])
         items[:] = [item for item in items if not item.get_closest_marker("slow")]
+    if hasattr(config, "workerinput"):
+        slow = {item.path for item in items if item.get_closest_marker("slow")}
+        items.sort(key=lambda item: (item.path not in slow, item.path))
 
 
 def pytest_collection_finish() -> None:
