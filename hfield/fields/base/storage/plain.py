@@ -49,6 +49,10 @@ class Plain(Compact[Coordinates]):
         return {**self.constants._asdict(), "by_norm": self._by_norm}
 
     def _by_norm(self, p: Coordinates) -> Coordinates | None:
+        w, x, y, z = p
+        if self.ring.is_exact and all(map(self.ring.is_zero, (x, y, z))):
+            # A scalar: its norm, the square, takes longer to invert. Texts divide by scalars.
+            return (self.ring.inverse(w), x, y, z) if self.ring.is_unit(w) else None
         n = self.norm(p)
         if not self.ring.is_unit(n):
             return None
