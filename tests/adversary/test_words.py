@@ -13,12 +13,12 @@ from hfield.checker.budget import bounded
 from hfield.checker.check_result import CheckResult
 from hfield.checker.rejection import Rejected
 from hfield.checker.vocabulary.logic import establish_any, meaning
+from tests import thorough
 from tests.adversary.words import split, truth_everywhere, truth_over
 from tests.checker.cases import with_rings
 from tests.checker.hand_made import setting
 from tests.checker.ring_data import data_of
 from tests.subcases import subcases
-from tests.thorough import pairwise
 
 FIELDS = (None, "RR", "GF(2)", "GF(3)")
 VERDICTS = ("proved", "refuted", "vacuous")
@@ -51,7 +51,7 @@ def shapes() -> list[dict[str, Any]]:
     deeper = [{"kind": "part", "part": 0, "evidence": e} for e in part]
     inner = [{"verdict": "proved", "evidence": e} for e in parts]
     deeper += [{"kind": "parts", "parts": [x, given[0]]} for x in inner]
-    there = product(FIELDS[1:], [*alone, *part, *both])
+    there = product(FIELDS[1:], [*alone, *part, *thorough.part(both)])
     over = [{"kind": "over", "ring": data_of(f), "evidence": e} for f, e in there]
     return [*alone, *part, *both, *parts, *side, *deeper, *over]
 
@@ -68,7 +68,7 @@ def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[CheckResu
     """Return what passes, of all parts, fields, verdicts and evidence."""
     out: dict[tuple[str, str | None], dict[str, list[CheckResult]]] = {}
     evidence = shapes()
-    pairs = pairwise(PARTS, PARTS[1:] + PARTS[:1])  # each on either side
+    pairs = thorough.pairwise(PARTS, PARTS[1:] + PARTS[:1])  # each on either side
     texts = dict.fromkeys(word.format(p=p, q=q) for p, q in pairs)
     for text, field, verdict in product(texts, FIELDS, VERDICTS):
         found = [established(text, field, verdict, e) for e in evidence]

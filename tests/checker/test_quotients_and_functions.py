@@ -37,7 +37,7 @@ def test_the_checker_writes_the_name_and_computes_alike(name: str) -> None:
     there = read_ring(here.data)
     assert there.name == here.name
     rng = Random(name)
-    for _ in quick_part(range(12), 4):
+    for _ in quick_part(range(6), 2):
         x, y = here.random(rng), here.random(rng)
         if "y)" in name:  # long fractions in two variables are refused: their divisors grow
             x, y = (here(f"{rng.randint(1, 9)}*x/(y + {rng.randint(1, 9)})") for _ in "xy")
