@@ -26,7 +26,7 @@ from hfield.fields.base.array_storage.labels import LabelArrays
 from hfield.fields.base.array_storage.rows import RowArrays
 from tests.galois_classes import galois_class
 from tests.subcases import first_quick, share_quick, slow, subcases
-from tests.thorough import THOROUGH
+from tests.thorough import THOROUGH, pairwise, part
 
 # every arithmetic and word, at both ends of what it serves
 FINITE = [
@@ -123,7 +123,7 @@ def agrees(A, P, Q):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", FINITE)
+@pytest.mark.parametrize("name", part(FINITE, 2))
 def test_finite_rings(name):
     F, rng = ring(name), Random(name)
     for a, b, t in constants(F, name):
@@ -145,8 +145,7 @@ BYTES = [
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BYTES)
-@pytest.mark.parametrize("instruction", [True, False])
+@pytest.mark.parametrize(("name", "instruction"), pairwise(BYTES, (True, False)))
 def test_fields_whose_labels_are_bytes(name, instruction, monkeypatch):
     if not instruction:
         monkeypatch.setattr(machine_code, "processor_has", lambda feature: False)
