@@ -14,7 +14,7 @@ import pytest
 
 from tests import thorough
 
-QUICK_EXAMPLES, EXAMPLES = 15, 100  # that hypothesis draws where a test does not say how many
+QUICK_EXAMPLES, EXAMPLES = 15, 50  # that hypothesis draws where a test does not say how many
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
