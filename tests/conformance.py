@@ -43,7 +43,7 @@ RINGS = (
     "ZZ[a_1,b2,alpha,w,z]",
 )  # fmt: skip
 # a, b, t: Hamilton, general, degenerate, Artin–Schreier, anything.
-# The axioms of an algebra over these take between half a second and 20 seconds.
+# The axioms of an algebra over these take between half a second and five seconds.
 SLOW = {
     *("QQ(zeta5)(x,y)", "RR(cos(t),sin(t))", "RR(x,cos(t/2),sin(t/2))"),
     *("QQ(x,y)[z]/(z^2-x-y)", "QQ(x)[u]/(u^3-x)"),
