@@ -43,7 +43,7 @@ def shapes() -> list[dict[str, Any]]:
     given = [{"verdict": verdict, "evidence": evidence} for verdict, evidence in JUDGED]
     alone = [evidence for _, evidence in JUDGED]
     part = [{"kind": "part", "part": n, "evidence": e} for n, e in product((0, 1), alone)]
-    pairs = list(product(given, repeat=2))
+    pairs = thorough.part(list(product(given, repeat=2)), 3)
     both = [{"kind": "both", "left": x, "right": y} for x, y in pairs]
     parts = [{"kind": "parts", "parts": list(pair)} for pair in pairs]
     sides = product(("conclusion", "hypothesis"), alone)
@@ -51,7 +51,7 @@ def shapes() -> list[dict[str, Any]]:
     deeper = [{"kind": "part", "part": 0, "evidence": e} for e in part]
     inner = [{"verdict": "proved", "evidence": e} for e in parts]
     deeper += [{"kind": "parts", "parts": [x, given[0]]} for x in inner]
-    there = product(FIELDS[1:], [*alone, *part, *thorough.part(both)])
+    there = product(FIELDS[1:], [*alone, *part, *thorough.part(both, 3)])
     over = [{"kind": "over", "ring": data_of(f), "evidence": e} for f, e in there]
     return [*alone, *part, *both, *parts, *side, *deeper, *over]
 
