@@ -135,7 +135,9 @@ class AbsentError(HFieldError, AttributeError):
 
 
 class NoSolutionError(HFieldError, ValueError):
-    """Linear equations without a solution; ``witness`` is a vector that shows it.
+    """A question that is proved to have no solution.
+
+    For linear equations ``witness`` is a vector that shows it.
 
     >>> NoSolutionError("none", (1,)).witness
     (1,)
@@ -144,6 +146,22 @@ class NoSolutionError(HFieldError, ValueError):
     def __init__(self, message: str, witness: tuple[object, ...] = ()) -> None:
         super().__init__(message)
         self.witness = witness
+
+
+class NoEquivalentIdealError(NoSolutionError, UndecidedError):
+    """No equivalent ideal has a norm as asked for: all elements that could give one were tried.
+
+    It is an :class:`UndecidedError` as well, which is what calls raise where not all were tried, so that
+    ``except UndecidedError`` catches both.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> I = QuaternionAlgebra(419).extremal_order().random_ideal(1009, seed=1)
+    >>> try:
+    ...     I.equivalent_of_norm_dividing(7)
+    ... except NoEquivalentIdealError:
+    ...     print("proved: none")
+    proved: none
+    """
 
 
 class TableError(HFieldError, ValueError):

@@ -20,22 +20,21 @@ from itertools import chain, islice
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import factor
 from hfield.core.primality import is_prime, is_probable_prime
-from hfield.errors import LatticeError, UndecidedError, shorten
-from hfield.fields.rationals.whole_numbers import fraction
-from hfield.orders import enumeration, hermite
+from hfield.errors import LatticeError, NoEquivalentIdealError, UndecidedError, shorten
+from hfield.orders import hermite
 from hfield.orders.allowed_norms import AllowedNorms, Divisors, Powers
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.lattice_values import (
     LatticeValue,
-    contains,
     discriminant,
     includes,
     multiple,
     product,
 )
-from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, frame, in_frame
+from hfield.orders.norm_search import SMALL_VOLUME, norm_dividing, of_norm
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, in_frame
 from hfield.orders.related_orders import connecting
-from hfield.orders.short_elements import expect_definite, first_of_norm, least_norm, up_to
+from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.orders.standard_orders import extremal_order
 from hfield.orders.strong_approximation import (
     MAX_FRAME_DISCRIMINANT,
@@ -105,7 +104,10 @@ def to_power_norm(
     p = expect_maximal(order, "equivalent_of_power_norm()")
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
-    x = _klpt(ideal, order, Powers(prime), random.Random(seed))
+    rng, powers = random.Random(seed), Powers(prime)
+    x = _klpt(ideal, order, powers, rng)
+    if x is None and p < SMALL_VOLUME:
+        x = _of_large_norm(ideal, powers, p, rng)
     if x is None:
         raise UndecidedError(
             f"no equivalent ideal of norm a power of {prime} was found in {ATTEMPTS} attempts"
@@ -140,22 +142,25 @@ def _from_extremal(
     ideal: LatticeValue, f: QuadraticFrame, norms: AllowedNorms, rng: random.Random
 ) -> Quaternion | None:
     """Return the same for a left ideal of an order with a p-extremal frame."""
-    tried = 0
+    for x, start, norm in islice(_prime_starts(ideal, f, norms, rng), ATTEMPTS):
+        beta = _from_prime(start, f, norm, norms, rng)
+        if beta is not None:
+            return beta * x / norm
+    return None
+
+
+def _prime_starts(
+    ideal: LatticeValue, f: QuadraticFrame, norms: AllowedNorms, rng: random.Random
+) -> Iterator[tuple[Quaternion, LatticeValue, int]]:
+    """Yield x in I, the equivalent ideal I·conj(x)/N(I) and its norm, an odd prime that is not allowed."""
     for row, norm in chain(by_norm(ideal), random_elements(ideal, rng)):
         if norm in (f.norm, 2) or norms.divisible_by(norm) or not is_probable_prime(norm):
             continue
         x = ideal.element(row)
         start = multiple(ideal, x.conjugate() / ideal.norm, "right")
         # no γ leads to an ideal of the quadratic order, extended
-        if includes(start, multiple(start, f.alpha, "right")):
-            continue
-        tried += 1
-        if tried > ATTEMPTS:
-            break
-        beta = _from_prime(start, f, norm, norms, rng)
-        if beta is not None:
-            return beta * x / norm
-    return None
+        if not includes(start, multiple(start, f.alpha, "right")):
+            yield x, start, norm
 
 
 def _from_prime(
@@ -188,53 +193,48 @@ def _least_first(f: QuadraticFrame, norm: int) -> int:
 
 # --- norms that divide a number ------------------------------------------------------------------------
 
-MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
-"""So many elements of an ideal are listed, the shortest ones, for small and for large discriminants."""
-MAX_HEADS = 2_000_000
-"""So many choices of three coordinates are tried for one norm, and ten times as many for all norms."""
-MAX_DIVISORS = 200_000
-SMALL_DISCRIMINANT = 2**24
-"""Below this discriminant the norms of all sizes are searched."""
-
 
 def to_norm_dividing(
     ideal: LatticeValue, order: LatticeValue, number: int, seed: int
 ) -> Quaternion:
     """Return x in a left ideal of a maximal order for which N(x)/N(I) divides a smooth number T.
 
-    The shortest elements are tried first, then each divisor of moderate size by an enumeration, then KLPT.
-    Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
+    Norms of moderate size are tried first, the least one wins, then KLPT. Raises :class:`LatticeError` for
+    another order, :class:`NoEquivalentIdealError` where all divisors were tried, and
+    :class:`UndecidedError`.
     """
     p = expect_maximal(order, "equivalent_of_norm_dividing()")
     rng = random.Random(seed)
-    variants = [(ideal, number)]
+    variants = [(ideal, _without(number, p))]
     if number % p == 0:
         # the elements of norms that p divides are those of P·I, for the two-sided prime P
-        radical = two_sided_prime(order, p)
-        variants = [(ideal, _without(number, p)), (product(radical, ideal), number // p)]
-    complete = True
+        variants.append((product(two_sided_prime(order, p), ideal), number // p))
+    found, larger, proved = list[Quaternion](), list[tuple[LatticeValue, AllowedNorms, int]](), True
     for lattice, allowed in variants:
-        x, bound = _among_short(
-            lattice, allowed, MAX_SHORT if p < SMALL_DISCRIMINANT else MAX_SHORT_OF_LARGE
-        )
-        complete = complete and bound >= allowed
+        x, decided, tried = norm_dividing(lattice, allowed, rng)
+        proved = proved and decided
+        if x is not None:
+            found.append(x)
+        elif not decided:
+            primes = factor(_without(allowed, p)).primes
+            larger.append((lattice, Divisors(tuple(primes.items())), tried))
+    if found:
+        return min(found, key=lambda x: _relative_norm(ideal, x))
+    for lattice, divisors, tried in larger:
+        x = _klpt(lattice, order, divisors, rng)
+        if x is None and p < SMALL_VOLUME:
+            x = _of_large_norm(lattice, divisors, max(tried + 1, p), rng)
         if x is not None:
             return x
-    for lattice, allowed in variants:
-        divisors = Divisors(tuple(factor(_without(allowed, p)).primes.items()))
-        x = _of_smooth_norm(lattice, order, divisors, rng)
-        if x is not None:
-            return x
-    bits = _needed_bits(ideal, order)
     shown = shorten(number)
-    known = (
-        f"no equivalent ideal has a norm that divides {shown}: all short elements were listed"
-        if complete
-        else f"no equivalent ideal whose norm divides {shown} was found"
-    )
+    if proved:
+        raise NoEquivalentIdealError(
+            f"no equivalent ideal has a norm that divides {shown}: all its divisors were tried. "
+            + _needed(ideal, order, number)
+        )
     raise UndecidedError(
-        f"{known}; this number has {number.bit_length()} bits, and a smooth number prime to {shorten(p)} of "
-        f"about {bits} bits is needed, T > 2^{bits}"
+        f"no equivalent ideal whose norm divides {shown} was found. "
+        + _needed(ideal, order, number)
     )
 
 
@@ -244,97 +244,38 @@ def _without(number: int, p: int) -> int:
     return number
 
 
-def _among_short(ideal: LatticeValue, number: int, most: int) -> tuple[Quaternion | None, int]:
-    """Return an element of least N(x)/N(I) that divides a number, among the shortest ones.
-
-    With it the bound up to which all were tried, at most so many of them.
-    """
-    tried, bound = 0, least_norm(ideal)
-    while True:
-        bound = min(bound, number)
-        short = list(islice(up_to(ideal, bound), most + 1))
-        if len(short) > most:
-            return None, tried
-        tried = bound
-        found = min(((m, row) for row, m in short if number % m == 0), default=None)
-        if found is not None:
-            return ideal.element(found[1]), tried
-        if tried == number:
-            return None, tried
-        bound *= 2
-
-
-def _of_smooth_norm(
-    ideal: LatticeValue, order: LatticeValue, divisors: Divisors, rng: random.Random
+def _of_large_norm(
+    ideal: LatticeValue, norms: AllowedNorms, least: int, rng: random.Random
 ) -> Quaternion | None:
-    p = order.ambient.base.absolute_norm(discriminant(order))
-    x, tried = _by_enumeration(ideal, divisors, p)
-    if x is None and divisors.product > tried:
-        x = _klpt(ideal, order, divisors, rng)
-        if x is None and p < SMALL_DISCRIMINANT:
-            x = _by_representing(ideal, order, divisors, tried, rng)
-    return x
-
-
-def _by_enumeration(
-    ideal: LatticeValue, divisors: Divisors, p: int
-) -> tuple[Quaternion | None, int]:
-    """Return an element of norm n·N(I) for the least divisor n with one, among those of moderate size.
-
-    With it the largest divisor up to which all were decided.
-    """
-    spent, tried, gram = 0.0, 0, ideal.reduced[1]
-    # an element of norm n is expected from n = p/24 on
-    least = p >> 8 if p > SMALL_DISCRIMINANT else 1
-    if enumeration.volume(gram, 2 * least, 3) > MAX_HEADS:
-        return None, tried
-    for n in islice(divisors.ascending(), MAX_DIVISORS):
-        if n < least:
-            continue
-        heads = enumeration.volume(gram, 2 * n, 3)
-        if heads > MAX_HEADS or spent > 10 * MAX_HEADS:
-            break
-        spent += heads
-        row = first_of_norm(ideal, ideal.ambient.base.inside(fraction(ideal.norm) * n))
-        if row is not None:
-            return ideal.element(hermite.tuples(row)[0]), n
-        tried = n
-    return None, tried
-
-
-def _by_representing(
-    ideal: LatticeValue,
-    order: LatticeValue,
-    divisors: Divisors,
-    tried: int,
-    rng: random.Random,
-) -> Quaternion | None:
-    """Return the same for divisors above those that were tried.
-
-    Of the elements of norm n·N one in N + 1 lies in an ideal of prime norm N. The quadratic order may
-    represent n·N for some N only.
-    """
-    f = frame(order)
-    above = [n for n in divisors.above(max(tried + 1, f.norm), rng) if n > tried]
-    primes = ((row, m) for row, m in by_norm(ideal) if m > 2 and m != f.norm and is_prime(m))
-    for row, norm in islice(primes, 10):
-        x = ideal.element(row)
-        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
-        for n in dict.fromkeys([*above[-1:], *above[:2]]):
-            for _ in range(8 * (norm + 1)):
-                gamma = in_frame(f, norm * n, rng, 2000)
-                if gamma is None:
-                    break
-                if contains(start, gamma):
-                    return gamma * x / norm
+    """Return x with an allowed N(x)/N(I) of at least some size, for small discriminants."""
+    above = list(norms.above(least, rng))
+    for n in dict.fromkeys([*above[-2:], *above[:4]]):
+        x, _ = of_norm(ideal, n, rng)
+        if x is not None:
+            return x
     return None
 
 
-def _needed_bits(ideal: LatticeValue, order: LatticeValue) -> int:
-    """Return about how many bits T has for which KLPT is likely to succeed."""
+def _needed(ideal: LatticeValue, order: LatticeValue, number: int) -> str:
+    """Return a sentence on the size of numbers for which KLPT is likely to succeed."""
     p = order.ambient.base.absolute_norm(discriminant(order))
+    bits = _needed_bits(ideal, order, Divisors(tuple(factor(number).primes.items())))
+    return (
+        f"This number has {number.bit_length()} bits, and a smooth number prime to {shorten(p)} of about "
+        f"{bits} bits is needed, T > 2^{bits}"
+    )
+
+
+def _needed_bits(ideal: LatticeValue, order: LatticeValue, norms: AllowedNorms) -> int:
+    """Return about how many bits of an allowed norm KLPT needs."""
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
-    norm = max(math.isqrt(p), 3) if f is None else max(int(least_norm(ideal)), math.isqrt(p), 3)
-    slack = 18 + p.bit_length().bit_length() + (4 if f is None else (-f.discriminant).bit_length())
-    once = 2 * p.bit_length() + 2 * norm.bit_length() + slack
-    return once if f is not None else 2 * once
+    if f is None:
+        start = extremal_order(order.ambient.algebra)
+        connection = connecting(start, order)
+        parts = connection, product(connection, ideal)
+        return sum(_needed_bits(part, start, norms) for part in parts)
+    p = f.norm
+    # all short elements may lie in a plane, where no norm is prime
+    norm = next((n for _, _, n in _prime_starts(ideal, f, norms, random.Random(0))), p)
+    slack = 18 + p.bit_length().bit_length() + (-f.discriminant).bit_length()
+    return 2 * p.bit_length() + 2 * norm.bit_length() + slack

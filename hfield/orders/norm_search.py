@@ -1,0 +1,336 @@
+"""Elements of a given norm in any lattice over ℤ of a definite algebra, or the proof that there is none.
+
+The norm as a multiple of that of the lattice is a form of four coordinates. Small norms are decided by an
+enumeration of three of them, in blocks of an array. Where these are too many, random ones are tried. Large
+norms are represented on a plane of the lattice and its orthogonal complement: ``n = f(x, y) + g(z, w)``. For
+a choice of (z, w) the pairs (x, y) with f(x, y) = m are shortest vectors of planes, one for each root of f
+modulo m (Cornacchia's algorithm for any form).
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator, Sequence
+from itertools import combinations, islice, product
+from typing import TYPE_CHECKING
+
+from flint import fmpz, fmpz_mat
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factor
+from hfield.core.primality import WORD
+from hfield.fields.rationals.whole_numbers import crt, fraction, sqrt_mod
+from hfield.orders import enumeration, hermite
+from hfield.orders.allowed_norms import Divisors
+from hfield.orders.lattice_values import LatticeValue
+from hfield.orders.quadratic_frames import likely
+from hfield.orders.short_elements import first_of_norm, least_norm, up_to
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Row = tuple[int, ...]
+FEW_HEADS, MANY_HEADS = 1_000, 2**17
+"""So many choices of three coordinates are run through without arrays, and before planes are tried."""
+MAX_HEADS, MAX_ALL_HEADS = 2**24, 2**26
+"""So many choices of three coordinates are tried for one norm, and for all divisors of a number."""
+BLOCK = 2**16
+MAX_RANGE = 2**10
+"""Of a third coordinate so many values are tried where not all are."""
+MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
+"""So many elements are listed, the shortest ones, in small and in large lattices."""
+SMALL_VOLUME = 2**24
+"""In lattices of at most this volume, for ideals the discriminant, norms of all sizes are searched."""
+MAX_DIVISORS = 200_000
+MAX_PLANES, MAX_PLANE_TRIALS, MAX_ROOTS = 24, 40_000, 64
+
+
+def of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Quaternion | None, bool]:
+    """Return an element with N(x) = n·N(L), or None; with it whether that is proved."""
+    row, decided = _row_of_norm(lattice, n, rng)
+    return (None if row is None else lattice.element(row)), decided
+
+
+def _row_of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Row | None, bool]:
+    """Return the same as a row over the denominator of the lattice."""
+    rows, gram = lattice.reduced
+    heads = enumeration.volume(gram, 2 * n, 3)
+    if heads <= FEW_HEADS:
+        found = first_of_norm(lattice, lattice.ambient.base.inside(fraction(lattice.norm) * n))
+        return (None if found is None else hermite.tuples(found)[0]), True
+    row = on_planes(lattice, n, rng) if heads > MANY_HEADS else None
+    if row is not None:
+        return row, True
+    x, decided = _vector_of_length(gram, 2 * n, MAX_HEADS, heads, rng)
+    return (None if x is None else hermite.combination(x, rows)), decided
+
+
+def norm_dividing(
+    lattice: LatticeValue, number: int, rng: random.Random
+) -> tuple[Quaternion | None, bool, int]:
+    """Return an element for which N(x)/N(L) divides a number, the least one where that can be searched for.
+
+    With it whether the answer is proved, and up to which bound all norms were decided.
+    """
+    small = volume(lattice) < SMALL_VOLUME
+    x, tried = _among_short(lattice, number, MAX_SHORT if small else MAX_SHORT_OF_LARGE)
+    if x is not None or tried >= number:
+        return x, True, tried
+    found = factor(number)
+    divisors = Divisors(tuple(found.primes.items()))
+    row, tried = _least_divisor(lattice, divisors, tried, rng)
+    proved = row is not None or (found.rest is None and tried >= number)
+    return (None if row is None else lattice.element(row)), proved, tried
+
+
+def volume(lattice: LatticeValue) -> int:
+    """Return the root of the determinant of the form: p for ideals of maximal orders of discriminant p."""
+    return math.isqrt(enumeration.bareiss(lattice.reduced[1])[0][4])
+
+
+def _among_short(lattice: LatticeValue, number: int, most: int) -> tuple[Quaternion | None, int]:
+    """Return an element of least N(x)/N(L) that divides a number, among at most so many short ones.
+
+    With it the bound up to which all were tried.
+    """
+    tried, bound = 0, least_norm(lattice)
+    while True:
+        bound = min(bound, number)
+        short = list(islice(up_to(lattice, bound), most + 1))
+        if len(short) > most:
+            return None, tried
+        tried = bound
+        found = min(((m, row) for row, m in short if number % m == 0), default=None)
+        if found is not None:
+            return lattice.element(found[1]), tried
+        if tried == number:
+            return None, tried
+        bound *= 2
+
+
+def _least_divisor(
+    lattice: LatticeValue, divisors: Divisors, tried: int, rng: random.Random
+) -> tuple[Row | None, int]:
+    """Return an element for the least divisor above those tried, and up to which all were decided."""
+    gram, size, spent = lattice.reduced[1], volume(lattice), 0.0
+    # an element of norm n is expected from n = p/24 on
+    first = size >> 8 if size > SMALL_VOLUME else 1
+    if enumeration.volume(gram, 2 * max(first, tried), 3) > MAX_HEADS:
+        return None, tried
+    gaps = False
+    for n in islice(divisors.ascending(), MAX_DIVISORS):
+        if n <= tried:
+            continue
+        if n < first:
+            gaps = True
+            continue
+        spent += enumeration.volume(gram, 2 * n, 3)
+        if spent > MAX_ALL_HEADS:
+            break
+        row, decided = _row_of_norm(lattice, n, rng)
+        if row is not None:
+            return row, tried
+        if not decided:
+            break
+        tried = tried if gaps else n
+    return None, tried
+
+
+# --- enumeration -----------------------------------------------------------------------------------
+
+
+def _vector_of_length(
+    gram: list[list[int]], length: int, most: int, heads: float, rng: random.Random
+) -> tuple[Row | None, bool]:
+    """Return x with x·gram·x = length, or None, and whether that is decided.
+
+    The last two coordinates are tried in a random order, if need be not all, and the first is solved for.
+    """
+    import numpy as np
+
+    # |x_k|·√(gram_kk) is below 3·√length for a reduced form, so that all numbers are below 2⁶³
+    if 200 * gram[0][0] * length >= 2**62:
+        return None, False
+    low, high = bounds(gram, length)[2:]
+    width = 2 * low + 1
+    tails = width * (high + 1)
+    complete = heads <= 2 * most and tails <= most
+    numbers = np.random.default_rng(rng.getrandbits(64))
+    form, columns = np.array(gram, dtype=np.int64), _Columns(gram, length)
+    order = numbers.permutation(tails) if complete else None
+    step = max(1, math.ceil(BLOCK * tails / max(heads, 1.0)))
+    done, start = 0, 0
+    while start < tails if complete else done < most:
+        if order is None:
+            index = numbers.integers(0, tails, step)
+        else:
+            index = order[start : start + step]
+            start += step
+        last, third = index // width, index % width - low
+        second, third, last = columns.expand(third, last, None if complete else numbers)
+        done += max(len(second), step)
+        x = np.stack([second, third, last], axis=-1)
+        shift = x @ form[0, 1:]
+        # (g·x₀ + shift)² = shift² + g·(length − x·form·x)
+        left = shift**2 + gram[0][0] * (length - ((x @ form[1:, 1:]) * x).sum(axis=1))
+        root = np.rint(np.sqrt(np.maximum(left, 0))).astype(np.int64)
+        for sign in (1, -1):
+            value, odd = np.divmod(sign * root - shift, gram[0][0])
+            hits = np.flatnonzero((root * root == left) & (odd == 0))
+            if len(hits):
+                k = hits[0]
+                return (int(value[k]), *(int(c) for c in x[k])), True
+    return None, complete
+
+
+class _Columns:
+    """The ranges of the second coordinate, for given last ones, among the vectors up to a length."""
+
+    def __init__(self, gram: list[list[int]], length: int) -> None:
+        minors, forms = enumeration.bareiss(gram)
+        self.minors, self.forms, self.length = minors, forms, length
+
+    def expand(
+        self, third: np.ndarray, last: np.ndarray, numbers: np.random.Generator | None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return all three coordinates; of long ranges a random part where numbers are given."""
+        import numpy as np
+
+        d, forms = self.minors, self.forms
+        z, w = third.astype(float), last.astype(float)
+        used = (forms[2][2] * z + forms[2][3] * w) ** 2 / (float(d[2]) * d[3])
+        used += (forms[3][3] * w) ** 2 / (float(d[3]) * d[4])
+        inside = used <= self.length * (1 + 1e-9)
+        third, last, z, w = third[inside], last[inside], z[inside], w[inside]
+        radius = np.sqrt(np.maximum(self.length - used[inside], 0) * (float(d[1]) * d[2]))
+        shift = forms[1][2] * z + forms[1][3] * w
+        # one more on each side, whatever the rounding
+        begin = np.floor((-radius - shift) / d[2]).astype(np.int64) - 1
+        sizes = np.ceil((radius - shift) / d[2]).astype(np.int64) + 2 - begin
+        if numbers is not None:
+            few = np.minimum(sizes, MAX_RANGE)
+            begin = begin + numbers.integers(0, sizes - few + 1)
+            sizes = few
+        before = np.repeat(np.cumsum(sizes) - sizes, sizes)
+        second = np.repeat(begin, sizes) + np.arange(len(before)) - before
+        return second, np.repeat(third, sizes), np.repeat(last, sizes)
+
+
+def bounds(gram: Sequence[Sequence[int]], length: int) -> list[int]:
+    """Return how large each coordinate of a vector with x·gram·x ≤ length can be."""
+    inverse = fmpz_mat(gram).inv()
+    size = len(gram)
+    return [math.isqrt(int(length * inverse[k, k].p) // int(inverse[k, k].q)) for k in range(size)]
+
+
+# --- planes ------------------------------------------------------------------------------------------
+
+
+def on_planes(lattice: LatticeValue, n: int, rng: random.Random) -> Row | None:
+    """Return a row for an element of norm n·N(L), the sum of one in a plane and one orthogonal to it."""
+    rows, gram = lattice.reduced
+    trials = MAX_PLANE_TRIALS
+    for plane, f, rest, g in islice(_planes(fmpz_mat(gram), n), MAX_PLANES):
+        for z, w in islice(_pairs(g, 2 * n, rng), trials):
+            m = n - (g[0][0] * z * z + 2 * g[0][1] * z * w + g[1][1] * w * w) // 2
+            found = _in_plane(f, m) if m > 0 else None
+            if found is not None:
+                x = fmpz_mat([found]) * plane + fmpz_mat([(z, w)]) * rest
+                return hermite.combination(hermite.tuples(x)[0], rows)
+    return None
+
+
+Plane = tuple[fmpz_mat, list[list[int]], fmpz_mat, list[list[int]]]
+
+
+def _planes(gram: fmpz_mat, n: int) -> Iterator[Plane]:
+    """Yield planes spanned by short vectors, and their complements, each with a reduced form.
+
+    First those of odd discriminant prime to n, where no prime stands in the way, of small discriminant.
+    """
+    short = [v for v in product((-1, 0, 1), repeat=4) if v > (0, 0, 0, 0)]
+    found: dict[tuple[Row, ...], tuple[bool, int, fmpz_mat]] = {}
+    for pair in combinations(short, 2):
+        plane = fmpz_mat(pair).hnf()
+        key = hermite.tuples(plane)
+        if key in found or not any(key[1]) or not _is_primitive(key):
+            continue
+        size = int((plane * gram * plane.transpose()).det())
+        found[key] = math.gcd(size, 2 * n) > 1, size, plane
+    for _, _, plane in sorted(found.values(), key=lambda x: x[:2]):
+        equations = gram * plane.transpose()
+        stacked = [
+            [*row, *(int(m == k) for k in range(4))] for m, row in enumerate(equations.tolist())
+        ]
+        rest = fmpz_mat([row[2:] for row in fmpz_mat(stacked).hnf().tolist()[2:]])
+        yield *_reduced(plane, gram), *_reduced(rest, gram)
+
+
+def _is_primitive(pair: tuple[Row, ...]) -> bool:
+    v, w = pair
+    return math.gcd(*(v[i] * w[j] - v[j] * w[i] for i, j in combinations(range(4), 2))) == 1
+
+
+def _reduced(plane: fmpz_mat, gram: fmpz_mat) -> tuple[fmpz_mat, list[list[int]]]:
+    form, steps = (plane * gram * plane.transpose()).lll(transform=True, rep="gram")
+    return steps * plane, list(map(list, hermite.tuples(form)))
+
+
+def _pairs(form: list[list[int]], length: int, rng: random.Random) -> Iterator[Row]:
+    """Yield pairs with values up to a length: all where they are few, else random ones."""
+    if enumeration.volume(form, length, 2) < MAX_PLANE_TRIALS:
+        yield 0, 0
+        yield from (v for v, _ in enumeration.short_vectors(form, length))
+        return
+    first, second = bounds(form, length)
+    while True:
+        yield rng.randint(-first, first), rng.randint(-second, second)
+
+
+def _in_plane(form: list[list[int]], m: int) -> Row | None:
+    """Return (x, y) with x·form·x = 2·m, or None: all are found for some m, prime ones if m is large."""
+    a, b = form[0][0] // 2, form[0][1]
+    d = b * b - form[0][0] * form[1][1]
+    if math.gcd(m, 2 * a * d) > 1:
+        return None
+    primes = factor(m).primes if m < WORD else {m: 1} if likely(m) else {}
+    if not primes or any(fmpz(d % q).jacobi(q) != 1 for q in primes):
+        return (1, 0) if a == m else None
+    roots = [_root(d, q, e) for q, e in primes.items()]
+    inverse = pow(2 * a, -1, m)
+    for signs in islice(product((1, -1), repeat=len(roots)), MAX_ROOTS):
+        r, _ = crt([(s * x, q) for s, (x, q) in zip(signs, roots, strict=True)])
+        v = _shortest(form, (m, 0), ((r - b) * inverse % m, 1))
+        if _value(form, v, v) == 2 * m:
+            return v
+    return None
+
+
+def _root(d: int, q: int, e: int) -> tuple[int, int]:
+    """Return a square root of d modulo a power of an odd prime q that does not divide d, and the power."""
+    x, power = sqrt_mod(d, q), q
+    for _ in range(e - 1):
+        power *= q
+        x = (x - (x * x - d) * pow(2 * x, -1, power)) % power
+    return x, power
+
+
+def _value(form: list[list[int]], v: Row, w: Row) -> int:
+    return v[0] * (form[0][0] * w[0] + form[0][1] * w[1]) + v[1] * (
+        form[1][0] * w[0] + form[1][1] * w[1]
+    )
+
+
+def _shortest(form: list[list[int]], v: Row, w: Row) -> Row:
+    """Return a shortest vector of the plane lattice of two vectors, by Gauss' reduction."""
+    long, between, short = _value(form, v, v), _value(form, v, w), _value(form, w, w)
+    while True:
+        if long < short:
+            v, w, long, short = w, v, short, long
+        k = (2 * between + short) // (2 * short)
+        if not k:
+            return w
+        v = v[0] - k * w[0], v[1] - k * w[1]
+        long += k * (k * short - 2 * between)
+        between -= k * short
