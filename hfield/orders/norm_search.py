@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
 
@@ -43,7 +43,8 @@ MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
 SMALL_VOLUME = 2**24
 """In lattices of at most this volume, for ideals the discriminant, norms of all sizes are searched."""
 MAX_DIVISORS = 200_000
-MAX_PLANES, MAX_PLANE_TRIALS, MAX_ROOTS = 24, 40_000, 64
+MAX_PLANES, PLANE_TRIALS, MAX_ROOTS = 24, (1_000, 30_000), 64
+"""So many pairs (z, w) are tried for each plane, in two rounds, as a plane may represent no such number."""
 
 
 def of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Quaternion | None, bool]:
@@ -230,9 +231,9 @@ def bounds(gram: Sequence[Sequence[int]], length: int) -> list[int]:
 def on_planes(lattice: LatticeValue, n: int, rng: random.Random) -> Row | None:
     """Return a row for an element of norm n·N(L), the sum of one in a plane and one orthogonal to it."""
     rows, gram = lattice.reduced
-    trials = MAX_PLANE_TRIALS
-    for plane, f, rest, g in islice(_planes(fmpz_mat(gram), n), MAX_PLANES):
-        for z, w in islice(_pairs(g, 2 * n, rng), trials):
+    planes = list(islice(_planes(fmpz_mat(gram), n), MAX_PLANES))
+    for trials, (plane, f, rest, g) in product(PLANE_TRIALS, planes):
+        for z, w in islice(_pairs(g, 2 * n, trials, rng), trials):
             m = n - (g[0][0] * z * z + 2 * g[0][1] * z * w + g[1][1] * w * w) // 2
             found = _in_plane(f, m) if m > 0 else None
             if found is not None:
@@ -277,9 +278,9 @@ def _reduced(plane: fmpz_mat, gram: fmpz_mat) -> tuple[fmpz_mat, list[list[int]]
     return steps * plane, list(map(list, hermite.tuples(form)))
 
 
-def _pairs(form: list[list[int]], length: int, rng: random.Random) -> Iterator[Row]:
+def _pairs(form: list[list[int]], length: int, few: int, rng: random.Random) -> Iterator[Row]:
     """Yield pairs with values up to a length: all where they are few, else random ones."""
-    if enumeration.volume(form, length, 2) < MAX_PLANE_TRIALS:
+    if enumeration.volume(form, length, 2) < few:
         yield 0, 0
         yield from (v for v, _ in enumeration.short_vectors(form, length))
         return
@@ -292,10 +293,10 @@ def _in_plane(form: list[list[int]], m: int) -> Row | None:
     """Return (x, y) with x·form·x = 2·m, or None: all are found for some m, prime ones if m is large."""
     a, b = form[0][0] // 2, form[0][1]
     d = b * b - form[0][0] * form[1][1]
-    if math.gcd(m, 2 * a * d) > 1:
+    if math.gcd(m, 2 * a) > 1:
         return None
-    primes = factor(m).primes if m < WORD else {m: 1} if likely(m) else {}
-    if not primes or any(fmpz(d % q).jacobi(q) != 1 for q in primes):
+    primes = _primes(m, d)
+    if not primes or any(fmpz(d % q).jacobi(q) + (e == 1) < 1 for q, e in primes.items()):
         return (1, 0) if a == m else None
     roots = [_root(d, q, e) for q, e in primes.items()]
     inverse = pow(2 * a, -1, m)
@@ -307,8 +308,17 @@ def _in_plane(form: list[list[int]], m: int) -> Row | None:
     return None
 
 
+def _primes(m: int, d: int) -> Mapping[int, int]:
+    """Return the primes of m; of a large one only if it is a prime, but for what divides d, else nothing."""
+    if m < WORD:
+        return factor(m).primes
+    common = math.gcd(m, d)
+    rest = m // common
+    return {**factor(common).primes, rest: 1} if likely(rest) else {}
+
+
 def _root(d: int, q: int, e: int) -> tuple[int, int]:
-    """Return a square root of d modulo a power of an odd prime q that does not divide d, and the power."""
+    """Return a square root of d modulo a power of an odd prime q, q itself if it divides d, and the power."""
     x, power = sqrt_mod(d, q), q
     for _ in range(e - 1):
         power *= q

@@ -18,7 +18,6 @@ from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_probable_prime, primes
-from hfield.errors import UndecidedError, shorten
 from hfield.fields.rationals.whole_numbers import sqrt_mod
 from hfield.orders import enumeration, hermite
 from hfield.orders.lattice_values import LatticeValue, discriminant
@@ -177,16 +176,10 @@ def cornacchia(d: int, m: int) -> tuple[int, int] | None:
 TRIALS = 50_000
 
 
-def represent_integer(order: LatticeValue, n: int, rng: random.Random) -> Quaternion:
-    """Return an element of norm n, large, of an order over ℤ. Raises :class:`UndecidedError`."""
+def represent_integer(order: LatticeValue, n: int, rng: random.Random) -> Quaternion | None:
+    """Return an element of norm n, large, of an order over ℤ, or None where none was found."""
     f = frame(order)
-    found = in_frame(f, n, rng) if n % f.norm else _multiple_of_beta(f, n, rng)
-    if found is None:
-        raise UndecidedError(
-            f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
-            f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
-        )
-    return found
+    return in_frame(f, n, rng) if n % f.norm else _multiple_of_beta(f, n, rng)
 
 
 def _multiple_of_beta(f: QuadraticFrame, n: int, rng: random.Random) -> Quaternion | None:

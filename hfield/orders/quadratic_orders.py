@@ -18,18 +18,21 @@ from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
+from hfield.core.factorisation import remove
 from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import CertifiedClaim
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import FractionalIdeal as NumberFieldIdeal
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.fields.rationals.whole_numbers import square_root
+from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames
 from hfield.orders.base_values import BaseNumber, Prime
-from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
+from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal, two_sided_prime
 from hfield.orders.invariants import is_eichler
 from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
+from hfield.orders.lattice_values import product as product_of_lattices
+from hfield.orders.norm_search import SMALL_VOLUME, of_norm, volume
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.short_elements import (
     expect_definite,
@@ -316,7 +319,7 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
         return None
     rng = Random(0 if seed is None else seed)
     if base.is_rational:
-        return quadratic_frames.represent_integer(order, int(base.trace(norm).p), rng)
+        return _represent_rational(order, int(base.trace(norm).p), rng)
     for ideal in _random_ideals(order, norm, rng):
         x = _first_of_norm(ideal, norm)
         if x is not None:
@@ -324,6 +327,33 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
     raise UndecidedError(
         f"whether the norm of an element is {shorten(n)} was not decided: no prime rules it out, and of "
         f"{TRIALS} random ideals of this norm none has such a generator"
+    )
+
+
+def _represent_rational(order: LatticeValue, n: int, rng: Random) -> Quaternion | None:
+    """Return the same for an order over ℤ; by all means where its discriminant is small."""
+    found = quadratic_frames.represent_integer(order, n, rng)
+    if found is not None:
+        return found
+    if volume(order) < SMALL_VOLUME:
+        lattice, factor, rest = order, 1, n
+        total = fraction(discriminant(order)).numerator
+        for P in order.ambient.ramified:
+            p = int(fraction(P))
+            if total % p**2 == 0:
+                continue
+            # the elements of norms that p divides are those of the two-sided prime ideal
+            e, rest = remove(rest, p)
+            factor *= p ** (e // 2)
+            if e % 2:
+                lattice = product_of_lattices(two_sided_prime(order, P), lattice)
+        x, decided = of_norm(lattice, rest, rng)
+        if decided:
+            return None if x is None else factor * x
+    d = quadratic_frames.frame(order).discriminant
+    raise UndecidedError(
+        f"no element of norm {shorten(n)} was found in {quadratic_frames.TRIALS} trials; the order contains "
+        f"quadratic orders of discriminant {shorten(d)} and beyond only"
     )
 
 
