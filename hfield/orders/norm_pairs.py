@@ -5,9 +5,9 @@ in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 
 
     D·(N(x) + N(y)) = N(D·x − c̄·a) + N(a).
 
-For given z and c let U = D·u + s with s in 𝔞. N(U) + N(a) + p·D²·N(z) = D·S·N modulo N(𝔞) is one linear
-condition on s, each short solution gives N(a), and Cornacchia's algorithm finds a. Then x = (U + c̄·a)/D + z·β
-has to lie in J. For c = 0 that is the algorithm of Borin, Corte-Real Santos, Eriksen, Invernizzi, Mula,
+For given z and c let U = D·u + s with s in 𝔞. Then x = (U + c̄·a)/D + z·β has to lie in J, so that D·N(𝔞)
+divides N(s) + N(a). N(U) + N(a) + p·D²·N(z) = D·S·N modulo D·N(𝔞) is one linear condition on s, each short
+solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 that is the algorithm of Borin, Corte-Real Santos, Eriksen, Invernizzi, Mula,
 Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where N divides N(y)/N. Other c serve ideals
 for which all short elements have norms with a factor of S, such as those of norm 2ᵏ. In other orders, for
 small p, the norms of many short elements are listed and sorted, which shows the pairs with the sum.
@@ -217,9 +217,10 @@ def _of_shape(start: _SplitIdeal, f: QuadraticFrame, total: int, c: tuple[int, i
             continue
         u = tuple(size * (i * v + j * w) for v, w in zip(*start.over, strict=True))[2:]
         near = fmpz_mat([u])
-        # Tr(U·conj(s)) = rest − N(u) modulo N(𝔞), all divided by N
-        traces = [int(x) // unit for x in (near * form * ideal.transpose()).entries()]
-        solved = _solutions(traces, (rest - f.binary(*u)) // unit, step)
+        # Tr(U·conj(s)) = rest − N(u) modulo D·N(𝔞), all divided by D·N
+        below = size * unit
+        traces = [int(x) // below for x in (near * form * ideal.transpose()).entries()]
+        solved = _solutions(traces, (rest - f.binary(*u)) // below, step)
         if solved is None:
             continue
         offset, kernel = solved
@@ -238,9 +239,9 @@ def _of_shape(start: _SplitIdeal, f: QuadraticFrame, total: int, c: tuple[int, i
             last = represent(f.discriminant, m)
             if last is None:
                 continue
-            a = _times(f, last, g)
-            for b in (a, (-a[0], -a[1])):
-                pair = _pair(start, f, total, c, conjugate, (v[0], v[1]), z, b)
+            # which of them leads into J depends on residues, at 2 often in the same way for all z
+            for w in _of_same_norm(f, last):
+                pair = _pair(start, f, total, c, conjugate, (v[0], v[1]), z, _times(f, w, g))
                 if pair is not None:
                     return pair
             failures += 1
@@ -281,6 +282,18 @@ def _solutions(
     # the Hermite form of (first, 1, 0), (second, 0, 1), (m, 0, 0)
     (_, *one), *kernel = fmpz_mat([[first, 1, 0], [second, 0, 1], [m, 0, 0]]).hnf().tolist()
     return [int(x) * (value // g) for x in one], [[int(x) for x in row[1:]] for row in kernel]
+
+
+def _of_same_norm(f: QuadraticFrame, v: tuple[int, int]) -> Iterator[tuple[int, int]]:
+    """Yield the products of an element of R and of its conjugate with the units of R."""
+    for w in (v, (v[0] + f.t * v[1], -v[1])):
+        x = w
+        while True:
+            yield x
+            yield -x[0], -x[1]
+            x = _times(f, x, (0, 1))  # α is a unit, of order 4 or 6, or none is but ±1
+            if f.n > 1 or x in (w, (-w[0], -w[1])):
+                break
 
 
 def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[int, int]:
