@@ -87,9 +87,17 @@ def _by_qlapoti(
     ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
 ) -> Pair | None:
     """Return such a pair for an ideal of a p-extremal order, or None."""
-    for row, norm in islice(_elements(ideal, rng), MAX_STARTS):
-        if norm * norm > 16 * total:
+    norms, lines = set[int](), set[tuple[int, ...]]()
+    for row, norm in _elements(ideal, rng):
+        content = math.gcd(*row)
+        line = tuple(c // content for c in row)
+        # products with units and numbers lead to the same ideals
+        if norm * norm > 16 * total or norm in norms or line in lines:
             continue
+        norms.add(norm)
+        lines.add(line)
+        if len(norms) > MAX_STARTS:
+            return None
         x = ideal.element(row)
         start = multiple(ideal, x.conjugate() / ideal.norm, "right")
         found = _in_ideal(start, f, norm, total)
@@ -153,8 +161,8 @@ def _in_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> 
     if start is None:
         return None
     for c in ((0, 0), (1, 0), (0, 1), (1, 1), (2, 0)):
-        # N divides N(y)/N for c = 0
-        if c == (0, 0) and math.gcd(start.step, total) > 1:
+        # N divides N(y)/N for c = 0, and units lead to the same elements
+        if (c == (0, 0) and math.gcd(start.step, total) > 1) or (c == (0, 1) and f.n == 1):
             continue
         found = _of_shape(start, f, total, c)
         if found is not None:
