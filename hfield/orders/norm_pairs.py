@@ -7,10 +7,11 @@ in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 
 
 For given z and c let U = D·u + s with s in 𝔞. Then x = (U + c̄·a)/D + z·β has to lie in J, so that D·N(𝔞)
 divides N(s) + N(a). N(U) + N(a) + p·D²·N(z) = D·S·N modulo D·N(𝔞) is one linear condition on s, each short
-solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 that is the algorithm of Borin, Corte-Real Santos, Eriksen, Invernizzi, Mula,
-Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where N divides N(y)/N. Other c serve ideals
-for which all short elements have norms with a factor of S, such as those of norm 2ᵏ. In other orders, for
-small p, the norms of many short elements are listed and sorted, which shows the pairs with the sum.
+solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 that is the algorithm of Borin, Corte-Real
+Santos, Eriksen, Invernizzi, Mula, Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where N divides
+N(y)/N. Other c serve ideals for which all short elements have norms with a factor of S, such as those of norm
+2ᵏ. For small p the norms of many short elements are listed and sorted, which shows the pairs with the sum,
+and in planes of small discriminant x is random and y is an element of the norm that is left.
 """
 
 from __future__ import annotations
@@ -25,17 +26,13 @@ from typing import TYPE_CHECKING
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.errors import LatticeError, NoEquivalentIdealError, UndecidedError, shorten
 from hfield.orders import hermite
 from hfield.orders.klpt import by_norm, random_elements
 from hfield.orders.lattice_values import LatticeValue, contains, multiple, spanning_rows
-from hfield.orders.quadratic_frames import (
-    QuadraticFrame,
-    extremal_frame,
-    frame,
-    in_frame,
-    represent,
-)
+from hfield.orders.norm_search import PLANE_TRIALS, bounds, has_small_planes, on_planes
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
+from hfield.orders.short_elements import least_norm
 from hfield.orders.strong_approximation import MAX_FRAME_DISCRIMINANT, close, expect_maximal
 
 if TYPE_CHECKING:
@@ -46,15 +43,16 @@ MAX_SEARCHED_DISCRIMINANT = 2**40
 """Above this discriminant pairs are not searched for by sorting."""
 SAMPLES = 2**12, 2**15, 2**18, 2**20, 2**22
 """So many elements are sorted, one number after the other."""
-MAX_SMALL, MAX_SMALL_NORM, MAX_TRIALS = 2**20, 64, 20_000
-"""Up to this discriminant, or this norm of an equivalent ideal, random elements are tried."""
+MAX_TRIALS = 1_000
+"""So many random elements are tried."""
 MAX_STARTS, MAX_MULTIPLIERS, MAX_STEPS, MAX_FAILURES = 100, 300, 60, 24
 
 
 def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) -> Pair:
     """Return x and y in a left ideal of a maximal order with coprime N(x)/N(I) and N(y)/N(I) of a given sum.
 
-    Raises :class:`LatticeError` for other orders, and :class:`UndecidedError` where none were found.
+    Raises :class:`LatticeError` for other orders, :class:`NoEquivalentIdealError` where all were tried, and
+    :class:`UndecidedError` where none were found.
     """
     p = expect_maximal(order, "equivalent_pair()")
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
@@ -63,24 +61,25 @@ def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) ->
             "equivalent_pair() is for ideals of p-extremal orders, such as A.extremal_order(), and of other "
             "maximal orders for p < 2^40: connect this order to an extremal one with connecting_ideal()"
         )
-    searched, rng = SAMPLES if p < MAX_SEARCHED_DISCRIMINANT else (), random.Random(seed)
-    found = _by_sorting(ideal, total, searched[:2], seed)
-    if found is None and f is not None:
-        found = _by_qlapoti(ideal, f, total, rng)
-    if (
-        found is None
-        and total > p // 4
-        and (p < MAX_SMALL or next(by_norm(ideal))[1] < MAX_SMALL_NORM)
-    ):
-        found = _by_representing(ideal, f or frame(order), total, rng)
-    if found is None:
-        found = _by_sorting(ideal, total, searched[2:], seed)
-    if found is None:
-        raise UndecidedError(
-            f"no two equivalent ideals with coprime norms of the sum {shorten(total)} were found; a sum of "
-            f"at least about 2·p = {shorten(2 * p)} is needed"
+    searched, rng = SAMPLES if p < MAX_SEARCHED_DISCRIMINANT else SAMPLES[:1], random.Random(seed)
+    found, proved = _by_sorting(ideal, total, searched[:2], seed)
+    if found is None and not proved:
+        found = _by_qlapoti(ideal, f, total, rng) if f is not None else None
+        if found is None and total > p // 4:
+            found = _by_representing(ideal, total, rng)
+        if found is None:
+            found, proved = _by_sorting(ideal, total, searched[2:], seed)
+    if found is not None:
+        return found
+    needed = f"a sum of at least about 2·p = {shorten(2 * p)} is needed"
+    if proved:
+        raise NoEquivalentIdealError(
+            f"no two equivalent ideals have coprime norms of the sum {shorten(total)}: all that have smaller "
+            f"norms were tried; {needed}"
         )
-    return found
+    raise UndecidedError(
+        f"no two equivalent ideals with coprime norms of the sum {shorten(total)} were found; {needed}"
+    )
 
 
 def _by_qlapoti(
@@ -107,45 +106,23 @@ def _by_qlapoti(
     return None
 
 
-def _by_representing(
-    ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
-) -> Pair | None:
-    """Return the same for an ideal equivalent to one of small norm N, in an order with any frame.
+def _by_representing(ideal: LatticeValue, total: int, rng: random.Random) -> Pair | None:
+    """Return the same for an ideal with planes of small discriminant: in any order if p is small.
 
-    x is random, and of the elements whose norm is that which is left about one in N + 1 lies in the ideal.
-    Some N may be excluded, as a frame has an index in the order; quotients of its elements are tried as well.
+    x is random, and y is an element whose norm is that which is left.
     """
-    starts = {norm: row for row, norm in islice(by_norm(ideal), 50)}
-    for norm, least in islice(starts.items(), 5):
-        x = ideal.element(least)
-        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
-        found = _by_representing_in(start, f, norm, total, rng)
-        if found is not None:
-            first, second = (y * x / norm for y in found)
-            return first, second
-    return None
-
-
-def _by_representing_in(
-    ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int, rng: random.Random
-) -> Pair | None:
-    """Return the same for a left ideal of norm N; norms are multiples of N."""
+    if not has_small_planes(ideal):
+        return None
     rows, gram = ideal.reduced
-    bounds = _bounds(gram, 2 * total)
-    denominators = 1, 2, -f.discriminant
-    left = 100 + 64 * norm
-    for trial in range(MAX_TRIALS):
-        row = hermite.combination([rng.randint(-b, b) for b in bounds], rows)
+    sides = bounds(gram, 2 * total)
+    for _ in range(MAX_TRIALS):
+        row = hermite.combination([rng.randint(-b, b) for b in sides], rows)
         n = ideal.multiple(row)
         if not 0 < n < total or math.gcd(n, total) > 1:
             continue
-        den = denominators[trial % 3]
-        found = in_frame(f, norm * (total - n) * den**2, rng, 100)
-        if found is not None and contains(ideal, found / den):
-            return ideal.element(row), found / den
-        left -= 1
-        if not left:
-            return None
+        y = on_planes(ideal, total - n, rng, PLANE_TRIALS[:1])
+        if y is not None:
+            return ideal.element(row), ideal.element(y)
     return None
 
 
@@ -320,30 +297,37 @@ def _small_pairs() -> Iterator[tuple[int, int]]:
                 yield x, y
 
 
-def _by_sorting(ideal: LatticeValue, total: int, samples: Sequence[int], seed: int) -> Pair | None:
-    """Return such a pair among so many short elements, or all of them, for a total of at most 50 bits."""
+def _by_sorting(
+    ideal: LatticeValue, total: int, samples: Sequence[int], seed: int
+) -> tuple[Pair | None, bool]:
+    """Return such a pair among so many short elements, or all of them, for a total of at most 50 bits.
+
+    With it whether all were tried.
+    """
     import numpy as np
 
     rows, gram = ideal.reduced
-    bounds = _bounds(gram, 2 * total)
-    if total.bit_length() > 50 or max(bounds) > 2**26:
-        return None
-    box = math.prod(2 * b + 1 for b in bounds)
+    if total < 2 * least_norm(ideal):
+        return None, True
+    sides = bounds(gram, 2 * total)
+    if total.bit_length() > 50 or max(sides) > 2**26:
+        return None, False
+    box = math.prod(2 * b + 1 for b in sides)
     numbers = np.random.default_rng(seed)
     for size in samples:
         if box <= size:
-            ranges = [np.arange(-b, b + 1, dtype=np.int64) for b in bounds]
+            ranges = [np.arange(-b, b + 1, dtype=np.int64) for b in sides]
             vectors = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, 4)
         else:
-            columns = [numbers.integers(-b, b + 1, size, dtype=np.int64) for b in bounds]
+            columns = [numbers.integers(-b, b + 1, size, dtype=np.int64) for b in sides]
             vectors = np.stack(columns, axis=-1)
         pair = _matching(vectors, gram, total)
         if pair is not None:
             first, second = (ideal.element(hermite.combination(v, rows)) for v in pair)
-            return first, second
+            return (first, second), True
         if box <= size:
-            return None
-    return None
+            return None, True
+    return None, False
 
 
 def _matching(
@@ -363,9 +347,3 @@ def _matching(
     for k in np.flatnonzero(ok)[:1]:
         return vectors[places[k]].tolist(), vectors[places[matched[k]]].tolist()
     return None
-
-
-def _bounds(gram: list[list[int]], length: int) -> list[int]:
-    """Return how large each coordinate of a vector with x·gram·x ≤ length can be."""
-    inverse = fmpz_mat(gram).inv()
-    return [math.isqrt(int(length * inverse[k, k].p) // int(inverse[k, k].q)) for k in range(4)]

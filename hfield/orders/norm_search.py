@@ -12,6 +12,8 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
 
@@ -43,7 +45,10 @@ MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
 SMALL_VOLUME = 2**24
 """In lattices of at most this volume, for ideals the discriminant, norms of all sizes are searched."""
 MAX_DIVISORS = 200_000
-MAX_PLANES, PLANE_TRIALS, MAX_ROOTS = 24, (1_000, 30_000), 64
+MAX_PLANES, MAX_PLANE_DISCRIMINANT = 24, 2**28
+"""So many planes are used; of larger discriminants too few numbers are represented."""
+MAX_ROOTS = 64
+PLANE_TRIALS = 1_000, 30_000
 """So many pairs (z, w) are tried for each plane, in two rounds, as a plane may represent no such number."""
 
 
@@ -228,44 +233,61 @@ def bounds(gram: Sequence[Sequence[int]], length: int) -> list[int]:
 # --- planes ------------------------------------------------------------------------------------------
 
 
-def on_planes(lattice: LatticeValue, n: int, rng: random.Random) -> Row | None:
+@dataclass(frozen=True)
+class _Plane:
+    """A plane of a lattice and its orthogonal complement: coordinates of bases, and reduced forms on them."""
+
+    discriminant: int
+    first: fmpz_mat
+    form: list[list[int]]
+    second: fmpz_mat
+    rest: list[list[int]]
+
+
+def has_small_planes(lattice: LatticeValue) -> bool:
+    """Tell whether there are planes with forms of small discriminant, as in any lattice of small volume."""
+    return bool(_planes(lattice))
+
+
+def on_planes(
+    lattice: LatticeValue, n: int, rng: random.Random, rounds: Sequence[int] = PLANE_TRIALS
+) -> Row | None:
     """Return a row for an element of norm n·N(L), the sum of one in a plane and one orthogonal to it."""
-    rows, gram = lattice.reduced
-    planes = list(islice(_planes(fmpz_mat(gram), n), MAX_PLANES))
-    for trials, (plane, f, rest, g) in product(PLANE_TRIALS, planes):
-        for z, w in islice(_pairs(g, 2 * n, trials, rng), trials):
-            m = n - (g[0][0] * z * z + 2 * g[0][1] * z * w + g[1][1] * w * w) // 2
-            found = _in_plane(f, m) if m > 0 else None
+    # no prime stands in the way where the discriminant is odd and prime to n
+    planes = sorted(_planes(lattice), key=lambda plane: math.gcd(plane.discriminant, 2 * n) > 1)
+    for trials, plane in product(rounds, planes):
+        for z, w in islice(_pairs(plane.rest, 2 * n, trials, rng), trials):
+            m = n - _value(plane.rest, (z, w), (z, w)) // 2
+            found = _in_plane(plane.form, m) if m > 0 else None
             if found is not None:
-                x = fmpz_mat([found]) * plane + fmpz_mat([(z, w)]) * rest
-                return hermite.combination(hermite.tuples(x)[0], rows)
+                x = fmpz_mat([found]) * plane.first + fmpz_mat([(z, w)]) * plane.second
+                return hermite.combination(hermite.tuples(x)[0], lattice.reduced[0])
     return None
 
 
-Plane = tuple[fmpz_mat, list[list[int]], fmpz_mat, list[list[int]]]
-
-
-def _planes(gram: fmpz_mat, n: int) -> Iterator[Plane]:
-    """Yield planes spanned by short vectors, and their complements, each with a reduced form.
-
-    First those of odd discriminant prime to n, where no prime stands in the way, of small discriminant.
-    """
+@lru_cache(maxsize=16)
+def _planes(lattice: LatticeValue) -> tuple[_Plane, ...]:
+    """Return planes spanned by short vectors, by their discriminants: some odd and some even ones."""
+    gram = fmpz_mat(lattice.reduced[1])
     short = [v for v in product((-1, 0, 1), repeat=4) if v > (0, 0, 0, 0)]
-    found: dict[tuple[Row, ...], tuple[bool, int, fmpz_mat]] = {}
+    found: dict[tuple[Row, ...], tuple[int, fmpz_mat]] = {}
     for pair in combinations(short, 2):
         plane = fmpz_mat(pair).hnf()
         key = hermite.tuples(plane)
-        if key in found or not any(key[1]) or not _is_primitive(key):
-            continue
-        size = int((plane * gram * plane.transpose()).det())
-        found[key] = math.gcd(size, 2 * n) > 1, size, plane
-    for _, _, plane in sorted(found.values(), key=lambda x: x[:2]):
-        equations = gram * plane.transpose()
-        stacked = [
-            [*row, *(int(m == k) for k in range(4))] for m, row in enumerate(equations.tolist())
-        ]
-        rest = fmpz_mat([row[2:] for row in fmpz_mat(stacked).hnf().tolist()[2:]])
-        yield *_reduced(plane, gram), *_reduced(rest, gram)
+        if key not in found and any(key[1]) and _is_primitive(key):
+            found[key] = int((plane * gram * plane.transpose()).det()), plane
+    small = (x for x in found.values() if x[0] < MAX_PLANE_DISCRIMINANT)
+    ordered = sorted(small, key=lambda x: x[0])
+    odd = [x for x in ordered if x[0] % 2][: MAX_PLANES // 2]
+    even = [x for x in ordered if x[0] % 2 == 0][: MAX_PLANES // 2]
+    return tuple(_with_complement(*x, gram) for x in sorted(odd + even, key=lambda x: x[0]))
+
+
+def _with_complement(discriminant: int, plane: fmpz_mat, gram: fmpz_mat) -> _Plane:
+    equations = gram * plane.transpose()
+    stacked = [[*row, *(int(m == k) for k in range(4))] for m, row in enumerate(equations.tolist())]
+    rest = fmpz_mat([row[2:] for row in fmpz_mat(stacked).hnf().tolist()[2:]])
+    return _Plane(discriminant, *_reduced(plane, gram), *_reduced(rest, gram))
 
 
 def _is_primitive(pair: tuple[Row, ...]) -> bool:

@@ -17,9 +17,9 @@ from itertools import chain, count
 from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.factorisation import factor
+from hfield.core.factorisation import factor, remove
 from hfield.core.primality import is_probable_prime
-from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.errors import LatticeError, NoSolutionError, UndecidedError, shorten
 from hfield.fields.rationals.whole_numbers import fraction, sqrt_mod
 from hfield.orders import hermite
 from hfield.orders.allowed_norms import Divisors
@@ -34,6 +34,7 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.linear_algebra_mod_p import kernel
+from hfield.orders.norm_search import norm_dividing
 from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.validation import positive
@@ -114,7 +115,8 @@ def of_smooth_norm(
     """Return μ in O, congruent to λ·x modulo N·O for some λ prime to N, with a norm that divides T.
 
     x lies in R·β modulo N·O for the frame of a p-extremal order, and N is a prime. Raises
-    :class:`LatticeError` for others, and :class:`UndecidedError`.
+    :class:`LatticeError` for others, :class:`NoSolutionError` where all divisors of T were tried, and
+    :class:`UndecidedError`.
     """
     f, n = expect_frame(order, "strong_approximation()"), positive(modulus, "modulus")
     smooth = positive(number, "number T")
@@ -140,6 +142,14 @@ def of_smooth_norm(
     # larger ones leave more choices
     targets = chain.from_iterable(divisors.above(least << 8 * k, rng) for k in range(8))
     mu = strong_approximation(f, n, targets, (found[0][0], found[0][1]))
+    if mu is None:
+        # all μ are the elements of norm prime to N in the lattice ℤ·x + N·O
+        lattice = add_elements(scaled, order.ambient.row(x))
+        mu, proved, _ = norm_dividing(lattice, remove(smooth, n)[1], rng)
+        if proved and mu is None:
+            raise NoSolutionError(
+                f"no such element has a norm that divides {shorten(smooth)}: all its divisors were tried"
+            )
     if mu is None:
         bits = least_second(f, n).bit_length() + 6
         raise UndecidedError(
