@@ -15,6 +15,7 @@ from .errors import HFieldError as HFieldError
 from .errors import IndefiniteError as IndefiniteError
 from .errors import LatticeError as LatticeError
 from .errors import MixedParentsError as MixedParentsError
+from .errors import NoEquivalentIdealError as NoEquivalentIdealError
 from .errors import NoSolutionError as NoSolutionError
 from .errors import NotationError as NotationError
 from .errors import NotFiniteError as NotFiniteError

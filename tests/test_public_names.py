@@ -15,9 +15,10 @@ from hfield.fields.base.ring import Ring
 NAMES = {
     "hfield": """
         CC CDF ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
-        LedgerError MixedParentsError Newform NoSolutionError NotFiniteError NotInvertibleError NotationError
-        NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
-        StructureAlgebra TableError TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod
+        LedgerError MixedParentsError Newform NoEquivalentIdealError NoSolutionError NotFiniteError
+        NotInvertibleError NotationError NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected
+        Ring RingError SelectionError StructureAlgebra TableError TooLargeError UndecidedError
+        UnfactoredError UnknownClaimError ZZ Zmod
         check check_ring conj conjugator errors explain four_squares hilbert_symbol info inv norm places prove
         ring ternary_form to_sympy trace verify
     """,

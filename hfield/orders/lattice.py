@@ -834,8 +834,9 @@ class Order(WithStableClasses, Certified, Lattice):
     def represent_integer(self, n: object, seed: int | None = None) -> Quaternion | None:
         """Return an element of norm n, an integer of the field, or None where there is none.
 
-        Over ℤ, n may have hundreds of digits. Raises :class:`IndefiniteError` unless the algebra is totally
-        definite, and :class:`UndecidedError` for a large n that was not decided.
+        Over ℤ, n may have hundreds of digits. In any order of discriminant below 2²⁰ an element is found
+        where there is one. Raises :class:`IndefiniteError` unless the algebra is totally definite, and
+        :class:`UndecidedError` for a large n that was not decided.
 
         >>> from hfield import QuaternionAlgebra
         >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
@@ -851,8 +852,9 @@ class Order(WithStableClasses, Certified, Lattice):
 
         The order is p-extremal, N an odd prime, and x = (C + D·s)·β as :meth:`Ideal.ideal_mod_constraint`
         returns it (StrongApproximation of KLPT). T is to be above p·N³. Raises :class:`LatticeError` for
-        others, and :class:`UndecidedError` with the size of T that is needed; where no norm that divides T is
-        λ²·N(x) modulo N, another γ helps.
+        others, :class:`NoSolutionError` where all divisors of T were tried, as for p·N³ < 2²⁰ or small T, and
+        :class:`UndecidedError` with the size of T that is needed; where no norm that divides T is λ²·N(x)
+        modulo N, another γ helps.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1013, seed=1)
@@ -1337,8 +1339,10 @@ class Ideal(Certified, Lattice):
 
         c is as for :meth:`equivalence`. I is an ideal of a maximal order. Norms of moderate size are tried
         first, the least one wins. KLPT needs T > p³ for a p-extremal order and, through connecting ideals,
-        T > p⁶ for others. Raises :class:`LatticeError` for another order, or over another field than ℚ, and
-        :class:`UndecidedError` with the size of T that is needed.
+        T > p⁶ for others. For p < 2²⁰ small divisors of T are decided by a complete enumeration, and larger
+        ones are found. Raises :class:`LatticeError` for another order, or over another field than ℚ,
+        :class:`NoEquivalentIdealError` where all divisors were tried and none is a norm, and
+        :class:`UndecidedError` where not all were, both with the size of T that is needed.
 
         >>> from hfield import QuaternionAlgebra
         >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
@@ -1360,8 +1364,8 @@ class Ideal(Certified, Lattice):
 
         c₁ and c₂ are as for :meth:`equivalence`. The order is p-extremal, or maximal for p < 2⁴⁰, where a
         search finds the pair; the total is to be at least about 2p (Borin et al., ePrint 2025/1604). Raises
-        :class:`LatticeError` for another order, or over another field than ℚ, and :class:`UndecidedError` for
-        smaller totals.
+        :class:`LatticeError` for another order, or over another field than ℚ, and for smaller totals
+        :class:`NoEquivalentIdealError` where all smaller norms were listed, else :class:`UndecidedError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)

@@ -2,12 +2,19 @@
 
 import itertools
 import math
+import re
 from random import Random
 
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.errors import IndefiniteError, LatticeError, UndecidedError
+from hfield.errors import (
+    IndefiniteError,
+    LatticeError,
+    NoEquivalentIdealError,
+    NoSolutionError,
+    UndecidedError,
+)
 from hfield.orders.allowed_norms import Divisors
 
 P = 5 * 2**248 - 1
@@ -83,9 +90,7 @@ def test_small_numbers_are_decided_as_a_search_decides(p) -> None:
         if least is not None:
             assert check_dividing(I, number) == least
             continue
-        with pytest.raises(
-            UndecidedError, match=r"no equivalent ideal has a norm that divides.*about \d+ bits"
-        ):
+        with pytest.raises(NoEquivalentIdealError, match=r"all its divisors were tried.*\d+ bits"):
             I.equivalent_of_norm_dividing(number)
 
 
@@ -113,6 +118,32 @@ def test_pairs_where_the_norms_of_all_short_elements_share_a_factor_with_the_sum
         check_pair(I, total)
 
 
+@pytest.mark.parametrize(
+    ("p", "number"),
+    [(248867, 18949367), (869299, 5266695113), (985493, 2**91 + 279), (14281, 2**81 + 17)],
+)
+def test_numbers_of_all_sizes_for_any_order(p, number) -> None:
+    """A prime of middle size has one divisor that may be a norm, and no structure of the order helps."""
+    O = algebra(p).extremal_order().random_ideal(2**61 - 1, seed=5).right_order()
+    I = O.random_ideal(5, seed=1)
+    assert check_dividing(I, number) > 1
+    check_pair(I, number)
+    x = O.represent_integer(p * number)
+    assert (x.norm(), x in O) == (p * number, True)
+
+
+def test_the_size_that_a_refusal_names_suffices() -> None:
+    """The short elements of the second ideal have even norms, which leaves KLPT a long prime only."""
+    O = algebra(P).extremal_order()
+    for I in (O.random_ideal(101, seed=1), O.random_ideal(4, seed=1)):
+        with pytest.raises(UndecidedError) as refused:
+            I.equivalent_of_norm_dividing(3**60 * 5**60)
+        bits = int(re.search(r"T > 2\^(\d+)", str(refused.value))[1])
+        assert check_dividing(I, 3**60 * 5 ** math.ceil((bits - 95) / math.log2(5))) < 2 ** (
+            bits + 5
+        )
+
+
 def test_pairs_of_norms_elsewhere_and_what_has_none() -> None:
     for p in (1009, 10**6 + 3):
         O = algebra(p).extremal_order().random_ideal(101, seed=4).right_order()
@@ -131,7 +162,7 @@ def test_pairs_of_norms_elsewhere_and_what_has_none() -> None:
         if any(total - n in norms and math.gcd(n, total) == 1 for n in norms):
             check_pair(I, total)
         else:
-            with pytest.raises(UndecidedError):
+            with pytest.raises(NoEquivalentIdealError):
                 I.equivalent_pair(total)
 
 
@@ -155,6 +186,31 @@ def test_the_steps_of_klpt(p) -> None:
         between = O & I.right_order()
         assert gamma * I.eichler_mod_constraint(gamma, delta) * delta in between
         assert delta * I.eichler_mod_constraint(delta) in between
+
+
+def test_strong_approximation_is_decided_for_small_numbers() -> None:
+    rng, answers = Random(3), set[bool]()
+    for _ in range(12):
+        p, n = rng.choice([31, 43, 67]), rng.choice([3, 5])
+        O = algebra(p).extremal_order()
+        x = O.random_ideal(n, seed=1).ideal_mod_constraint(
+            O.represent_integer(n * (20 * p + rng.randrange(p)))
+        )
+        if x.norm() % n == 0:
+            continue
+        number = 12 * rng.randrange(1, 40)
+        divisors = [d for d in range(1, number + 1) if number % d == 0 and d % n]
+        all_of_them = (y for d in divisors for y in O.elements_of_norm(d))
+        fits = any((y - k * x) / n in O for y in all_of_them for k in range(1, n))
+        answers.add(fits)
+        if fits:
+            mu = O.strong_approximation(x, n, number)
+            assert number % mu.norm() == 0
+            assert any((mu - k * x) / n in O for k in range(1, n))
+        else:
+            with pytest.raises(NoSolutionError, match="all its divisors"):
+                O.strong_approximation(x, n, number)
+    assert answers == {True, False}
 
 
 def test_what_is_refused_with_the_reason() -> None:
