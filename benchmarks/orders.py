@@ -28,6 +28,7 @@ SETS = (1009, 10007)
 ROUNDS = 9
 SEEDS = range(1, 6)
 INTEGER, KLPT = "represent an integer", "KLPT, to a power of 2"
+DIVIDING, MODULO = "norm that divides 6^k", "O/qO → M₂(ℤ/q)"
 GENERATORS, REDUCED, PAIR = "two generators", "reduced equivalent", "pair of norms (Qlapoti)"
 
 
@@ -65,8 +66,10 @@ def peer(data: dict[str, Any]) -> None:
     from sage.all__sagemath_schemes import QQ
     from sage.modular.quatalg.brandt import BrandtModule
     from sage_klpt import (  # beside this file
+        equivalent_of_norm_dividing,
         equivalent_of_power_norm,
         equivalent_pair,
+        modulo,
         reduced_equivalent,
         represent_integer,
         two_generators,
@@ -108,6 +111,13 @@ def peer(data: dict[str, Any]) -> None:
                 ),
             ),
             KLPT: mean(lambda: ideal("L"), lambda L, seed: equivalent_of_power_norm(L, 2, seed)[1]),
+            DIVIDING: mean(
+                lambda: ideal("L"),
+                lambda L, seed, k=4 * int(bits): str(
+                    equivalent_of_norm_dividing(L, k, seed).norm()
+                ),
+            ),
+            MODULO: best(lambda: order("O"), lambda x, q=case["q"]: len(modulo(x, q)) == 4),
             GENERATORS: best(
                 lambda: ideal("I"), lambda x: str(two_generators(x, random.Random(1))[0]), 3
             ),
@@ -155,7 +165,7 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
         x = A(1, 2, 3, 1)
         Q = Order.from_lattice(x * P * x.inverse())
         names = {"O": O, "I": I, "J": J, "K": K, "L": L, "P": P, "Q": Q}
-        data["cases"][str(bits)] = {"p": p} | {name: texts(L) for name, L in names.items()}
+        data["cases"][str(bits)] = {"p": p, "q": q} | {name: texts(L) for name, L in names.items()}
 
         def copies(*names: Any) -> Callable[[], list[Any]]:
             return lambda: [fresh(L) for L in names]
@@ -181,11 +191,11 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
                     J.norm() for J, _ in x[0].equivalent_pair(n, seed)
                 ),
             ),
-            "norm that divides 6^k": mean(
+            DIVIDING: mean(
                 copies(L),
-                lambda x, seed, n=6 ** (2 * bits): x[0].equivalent_of_norm_dividing(n, seed)[2],
+                lambda x, seed, n=6 ** (4 * bits): x[0].equivalent_of_norm_dividing(n, seed)[2],
             ),
-            "O/qO → M₂(ℤ/q)": best(copies(O), lambda x, q=q: x[0].modulo(q), rounds),
+            MODULO: best(copies(O), lambda x, q=q: x[0].modulo(q), rounds),
             "extremal order of another q": best(
                 lambda A=A: A, lambda A, q=OTHER[bits]: A.extremal_order(q), 5
             ),
@@ -223,7 +233,11 @@ def compare(mine: dict[str, Any], theirs: dict[str, Any]) -> None:
     for bits in map(str, PRIMES):
         for name, (_, answer) in theirs[bits].items():
             own = mine[bits][name][1]
-            if name == KLPT:
+            if name == DIVIDING:
+                print(
+                    f"{name}, {bits} bits: to {own.bit_length()} bits, Sage {int(answer).bit_length()}"
+                )
+            elif name == KLPT:
                 print(f"KLPT, {bits} bits: to 2^{own}, Sage to 2^{answer}")
             elif isinstance(answer, list):
                 assert (

@@ -59,6 +59,20 @@ def equivalent_of_prime_norm(ideal: Any) -> Any:
 
 def equivalent_of_power_norm(ideal: Any, prime: int, seed: int) -> tuple[Any, int]:
     """Return an equivalent ideal whose norm is a power of a small prime, and the exponent."""
+    found, a, b = klpt(ideal, prime, prime, seed)
+    return found, a + b
+
+
+def equivalent_of_norm_dividing(ideal: Any, k: int, seed: int) -> Any:
+    """Return an equivalent ideal whose norm 2ᵃ·3ᵇ divides 6ᵏ."""
+    found, a, b = klpt(ideal, 2, 3, seed)
+    if max(a, b) > k:
+        raise ArithmeticError("nothing was found")
+    return found
+
+
+def klpt(ideal: Any, prime: int, second: int, seed: int) -> tuple[Any, int, int]:
+    """Return an equivalent ideal of norm primeᵃ·secondᵇ, a and b."""
     B = ideal.quaternion_algebra()
     _, j, k = B.gens()
     p = ZZ(-B.invariants()[1])
@@ -76,10 +90,10 @@ def equivalent_of_power_norm(ideal: Any, prime: int, seed: int) -> tuple[Any, in
             if found.dimension() != 1:
                 continue
             C, D = (ZZ(x) for x in found.basis()[0])
-            mu = strong_approximation(B, p, N, C, D, prime)
+            mu = strong_approximation(B, p, N, C, D, second)
             if mu is not None:
                 x = gamma * mu[0]
-                return J * (x.conjugate() / N), a + mu[1]
+                return J * (x.conjugate() / N), a, mu[1]
     raise ArithmeticError("nothing was found")
 
 
@@ -88,7 +102,7 @@ def strong_approximation(B: Any, p: Any, N: Any, C: Any, D: Any, prime: int) -> 
     i, j, _ = B.gens()
     F = GF(N, proof=False)
     size = F(p * (C * C + D * D))
-    start = ZZ(p * N**3).nbits() + 6
+    start = ZZ((p * N**3) << 6).exact_log(prime) + 1
     for b in range(start, start + 8):
         square = F(prime) ** b / size
         if not square.is_square():
@@ -119,6 +133,16 @@ def strong_approximation(B: Any, p: Any, N: Any, C: Any, D: Any, prime: int) -> 
                 assert mu.reduced_norm() == prime**b
                 return mu, b
     return None
+
+
+def modulo(order: Any, q: Any) -> Any:
+    """Return a matrix over ℤ/q for each element of a basis of an order, an isomorphism O/qO → M₂(ℤ/q)."""
+    B = order.quaternion_algebra()
+    one, i, j, k = [matrix.identity(GF(q, proof=False), 2), *B.modp_splitting_data(q)]
+    return [
+        sum(GF(q, proof=False)(c) * m for c, m in zip(x, (one, i, j, k), strict=True))
+        for x in (b.coefficient_tuple() for b in order.basis())
+    ]
 
 
 def two_generators(ideal: Any, rng: random.Random) -> tuple[Any, Any]:

@@ -5,8 +5,8 @@
 For each prime random left and right ideals of extremal and other orders: two generators, reduced equivalent
 ideals, norms that divide a smooth number, pairs of norms with a sum, and matrices modulo N. All is checked by
 arithmetic of lattices. For primes below 2²⁰ the norms that divide a small number are compared with a list of
-all short elements. Prints a line for each prime: how many ideals, how often each call was undecided, and
-milliseconds a call.
+all short elements, and numbers of all sizes are tried, which leaves none undecided. Prints a line for each
+prime: how many ideals, how often each call was undecided, and milliseconds a call.
 """
 
 import argparse
@@ -16,9 +16,10 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
-from hfield import Ideal, Order, QuaternionAlgebra, UndecidedError
+from hfield import Ideal, NoEquivalentIdealError, Order, QuaternionAlgebra, UndecidedError
 from hfield.core.primality import is_prime
 
 PRIMES = (419, 1009, 2**61 - 1, 5 * 2**248 - 1, 27 * 2**500 - 1, 2**500 + 55)
@@ -62,9 +63,15 @@ def dividing(ideal: Ideal, rng: random.Random) -> None:
     number = rng.choice(
         [2**bits, 3 ** (2 * bits // 3), 6 ** (bits // 2), SMOOTH * 2 ** (bits // 2)]
     )
-    J, c, n = ideal.equivalent_of_norm_dividing(number, seed=rng.randrange(99))
+    check_dividing(ideal, number, rng.randrange(99))
+
+
+def check_dividing(ideal: Ideal, number: int, seed: int = 0) -> bool:
+    """Find and check an equivalent ideal."""
+    J, c, n = ideal.equivalent_of_norm_dividing(number, seed=seed)
     check(moved(ideal, c) == J and ideal.order >= J, "norm that divides: multiplier")
     check(J.norm() == n and number % n == 0, "norm that divides: norm")
+    return True
 
 
 def pairs(ideal: Ideal, rng: random.Random) -> None:
@@ -73,9 +80,15 @@ def pairs(ideal: Ideal, rng: random.Random) -> None:
     total = rng.choice(
         [2 * p + rng.randrange(1, p), 2 ** (p.bit_length() + 1), 2 ** (p.bit_length() + 30)]
     )
-    (J, c), (K, d) = ideal.equivalent_pair(total, seed=rng.randrange(99))
+    check_pair(ideal, total, rng.randrange(99))
+
+
+def check_pair(ideal: Ideal, total: int, seed: int = 0) -> bool:
+    """Find and check a pair."""
+    (J, c), (K, d) = ideal.equivalent_pair(total, seed=seed)
     check(moved(ideal, c) == J and moved(ideal, d) == K, "pair: multipliers")
     check(J.norm() + K.norm() == total and math.gcd(J.norm(), K.norm()) == 1, "pair: norms")
+    return True
 
 
 def matrices(ideal: Ideal, rng: random.Random) -> None:
@@ -162,7 +175,7 @@ def try_small_primes(number: int, seconds: float) -> None:
         tried += 1
         try:
             J, c, m = I.equivalent_of_norm_dividing(T)
-        except UndecidedError:
+        except NoEquivalentIdealError:
             check(least is None, f"refused, and {least} is the norm of one: p = {p}, T = {T}")
             continue
         found += 1
@@ -171,6 +184,48 @@ def try_small_primes(number: int, seconds: float) -> None:
     print(
         f"primes below 2^20: {tried} ideals, {found} with such a norm, none refused that a list shows"
     )
+
+
+def try_sizes(number: int, seconds: float) -> None:
+    """Try numbers of all sizes for primes below 2²⁰: each is found, or proved to have no solution."""
+    start, rng, answers = time.monotonic(), random.Random(2), Counter[str]()
+    slowest = 0.0
+    while sum(answers.values()) < 3 * number and time.monotonic() - start < seconds:
+        p = rng.randrange(2, 2 ** rng.randrange(3, 21))
+        if not is_prime(p):
+            continue
+        order = QuaternionAlgebra(p).extremal_order()
+        if rng.random() < 0.6:
+            order = order.random_ideal(2**61 - 1, seed=rng.randrange(99)).right_order()
+        I = order.random_ideal(rng.choice([n for n in (1, 3, 4, 101, 1013) if n % p]), seed=1)
+        bits = rng.randrange(1, 3 * p.bit_length() + 40)
+        T = rng.getrandbits(bits) | 1 << bits
+        if rng.random() < 0.6:  # a prime has no other divisor that may be a norm
+            T = next(n for n in range(T, 2 * T + 9) if is_prime(n))
+        for name, call in (
+            ("dividing", partial(check_dividing, I, T)),
+            ("pair", partial(check_pair, I, T)),
+            ("integer", partial(check_integer, order, T * rng.choice([1, 1, p]))),
+        ):
+            before = time.process_time()
+            try:
+                answer = "found" if call() else "none"
+            except NoEquivalentIdealError:
+                answer = "none"
+            except UndecidedError:
+                answer = "undecided"
+                print(f"{name}: undecided for p = {p}, number {T}")
+            slowest = max(slowest, time.process_time() - before)
+            answers[f"{name} {answer}"] += 1
+    print(f"primes below 2^20, all sizes: {dict(sorted(answers.items()))}; slowest {slowest:.1f} s")
+    sys.stdout.flush()
+
+
+def check_integer(order: Order, n: int) -> bool:
+    """Return whether an element has norm n, and check it."""
+    x = order.represent_integer(n)
+    check(x is None or (x.norm() == n and x in order), "integer")
+    return x is not None
 
 
 def try_levels() -> None:
@@ -203,6 +258,7 @@ def main() -> None:
     given = parser.parse_args()
     try_levels()
     try_small_primes(given.ideals, given.seconds)
+    try_sizes(given.ideals, given.seconds)
     for p in PRIMES:
         try_prime(p, given.ideals, given.seconds)
 
