@@ -117,7 +117,7 @@ def peer(data: dict[str, Any]) -> None:
                     equivalent_of_norm_dividing(L, k, seed).norm()
                 ),
             ),
-            MODULO: best(lambda: order("O"), lambda x, q=case["q"]: len(modulo(x, q)) == 4),
+            MODULO: best(lambda: order("S"), lambda x, q=case["q"]: len(modulo(x, q)) == 4),
             GENERATORS: best(
                 lambda: ideal("I"), lambda x: str(two_generators(x, random.Random(1))[0]), 3
             ),
@@ -164,7 +164,7 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
         P = I.right_order()
         x = A(1, 2, 3, 1)
         Q = Order.from_lattice(x * P * x.inverse())
-        names = {"O": O, "I": I, "J": J, "K": K, "L": L, "P": P, "Q": Q}
+        names = {"O": O, "S": standard, "I": I, "J": J, "K": K, "L": L, "P": P, "Q": Q}
         data["cases"][str(bits)] = {"p": p, "q": q} | {name: texts(L) for name, L in names.items()}
 
         def copies(*names: Any) -> Callable[[], list[Any]]:
@@ -195,7 +195,7 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
                 copies(L),
                 lambda x, seed, n=6 ** (4 * bits): x[0].equivalent_of_norm_dividing(n, seed)[2],
             ),
-            MODULO: best(copies(O), lambda x, q=q: x[0].modulo(q), rounds),
+            MODULO: best(copies(standard), lambda x, q=q: x[0].modulo(q), rounds),
             "extremal order of another q": best(
                 lambda A=A: A, lambda A, q=OTHER[bits]: A.extremal_order(q), 5
             ),

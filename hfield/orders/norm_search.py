@@ -155,10 +155,14 @@ def _vector_of_length(
     """
     import numpy as np
 
-    # |x_k|·√(gram_kk) is below 3·√length for a reduced form, so that all numbers are below 2⁶³
-    if 200 * gram[0][0] * length >= 2**62:
+    _, between, low, high = bounds(gram, length)
+    sizes = between + 2, low, high  # the ranges of the second coordinate are wider by up to 2
+    whole = sum(
+        abs(gram[k + 1][m + 1]) * sizes[k] * sizes[m] for k, m in product(range(3), repeat=2)
+    )
+    shifts = sum(abs(x) * size for x, size in zip(gram[0][1:], sizes, strict=True))
+    if shifts**2 + gram[0][0] * (length + whole) >= 2**62:
         return None, False
-    low, high = bounds(gram, length)[2:]
     width = 2 * low + 1
     tails = width * (high + 1)
     complete = heads <= 2 * most and tails <= most
