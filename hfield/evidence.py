@@ -80,6 +80,8 @@ class Kind(StrEnum):
     UNIT_INDEX = "unit-index"
     ISOMORPHIC_ORDERS = "isomorphic-orders"
     NORM_ONE_GROUP = "norm-one-group"
+    NEWFORMS = "newforms"
+    NEWFORMS_OVER_INTEGERS = "newforms-over-integers"
     NORM_ONE_GROUP_OVER_INTEGERS = "norm-one-group-over-integers"
     ORDER = "order"
     CLASS_SET_OVER_POLYNOMIALS = "class-set-over-polynomials"

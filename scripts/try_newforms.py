@@ -1,12 +1,16 @@
 """Newforms over ℚ against PARI's (cypari): every level up to a bound, weights 2 to 12.
 
     python scripts/try_newforms.py [--below 301] [--from 2] [--weights 2 12] [--seconds 600] [--orbits 20]
+        [--log FILE]
 
-Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
-The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If it
-has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
-polynomials of these four eigenvalues. Ends when all levels are compared or time is over. Exit status 1 if
-a polynomial differs.
+Each level is written in every way as D·N, with D a product of an odd number of primes that do not divide
+N. The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If one of
+them is squarefree, the degrees of its factors are those of the orbits. If the subspace has at most ``--orbits``
+dimensions, the orbits are compared with ``mfsplit`` too, by the minimal polynomials of these four eigenvalues.
+
+Small level·(weight − 1) come first. With ``--log`` each level and weight compared is written to the file, and
+those already in it are passed over. Ends when all are compared or the time is over. Exit status 1 if a
+polynomial or a degree differs.
 """
 
 import argparse
@@ -57,6 +61,15 @@ def hecke_polynomials(forms: list[Newform]) -> Polynomials:
     return found
 
 
+def orbit_degrees(polynomials: Polynomials) -> list[int] | None:
+    """The degrees of the Galois orbits, if one of the characteristic polynomials is squarefree."""
+    for coefficients in polynomials:
+        factors = fmpz_poly(coefficients).factor()[1]
+        if all(exponent == 1 for _, exponent in factors):
+            return sorted(f.degree() for f, _ in factors)
+    return None
+
+
 def orbits(forms: list[Newform]) -> list[Polynomials]:
     """The minimal polynomials of the eigenvalues, orbit by orbit."""
     return sorted([f.minimal_polynomial(p) for p in PRIMES] for f in forms)
@@ -70,15 +83,20 @@ def main() -> int:
     parser.add_argument("--weights", type=int, nargs=2, default=(2, 12))
     parser.add_argument("--seconds", type=float, default=600)
     parser.add_argument("--orbits", type=int, default=20)
+    parser.add_argument("--log", type=Path)
     args = parser.parse_args()
     pari.allocatemem(2 * 10**9)
     whole, split = pari(POLYNOMIALS), pari(ORBITS.replace("\n", " "))
     end = time.monotonic() + args.seconds
-    spaces = orbit_spaces = failures = level = 0
+    compared = spaces = orbit_spaces = failures = 0
     mine = its = 0.0
     weights = range(args.weights[0], args.weights[1] + 1, 2)
+    done: set[tuple[int, ...]] = set()
+    if args.log and args.log.exists():
+        done = {tuple(map(int, line.split()[:2])) for line in args.log.read_text().splitlines()}
     levels = [M for M in range(args.first, args.below) if any(algebras(M))]
-    for level, k in product(levels, weights):
+    pairs = sorted(set(product(levels, weights)) - done, key=lambda pair: pair[0] * (pair[1] - 1))
+    for level, k in pairs:
         if time.monotonic() > end:
             break
         start = time.monotonic()
@@ -93,22 +111,34 @@ def main() -> int:
             if has_orbits
             else []
         )
+        degrees = orbit_degrees(expected)
         middle = time.monotonic()
+        differences = failures
         for D, N in algebras(level):
             forms = QuaternionAlgebra(D).eichler_order(N).class_set().newforms(weight=k)
             same = hecke_polynomials(forms) == expected
+            if degrees is not None:
+                same = same and sorted(f.degree for f in forms) == degrees
             if has_orbits:
                 same = same and orbits(forms) == expected_orbits
             if not same:
                 failures += 1
                 print(f"differs: D = {D}, N = {N}, weight {k}", flush=True)
             spaces += 1
-            orbit_spaces += has_orbits
+            orbit_spaces += has_orbits or degrees is not None
         its += middle - start
         mine += time.monotonic() - middle
+        compared += 1
+        if args.log:
+            with args.log.open("a") as log:
+                log.write(
+                    f"{level} {k} dimension {dimension}, {'orbits' if has_orbits else 'degrees' if degrees is not None else 'polynomials'}, "
+                    f"{failures - differences} differ, {middle - start:.1f} s PARI, "
+                    f"{time.monotonic() - middle:.1f} s here\n"
+                )
     print(
-        f"levels {args.first} to {level}, weights {weights.start} to {weights[-1]}: {spaces} new subspaces, "
-        f"{orbit_spaces} of them by orbits, {failures} differ; {mine:.0f} s here, {its:.0f} s PARI"
+        f"{compared} of {len(pairs)} levels and weights: {spaces} new subspaces, "
+        f"{orbit_spaces} of them with degrees of orbits, {failures} differ; {mine:.0f} s here, {its:.0f} s PARI"
     )
     return 1 if failures else 0
 

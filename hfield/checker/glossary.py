@@ -48,7 +48,7 @@ ALL_CHOICES_OF_ROOTS = "all choices of roots"
 ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
 ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
 BY_S_UNITS, BY_AREA = "S-units", "area"
-BY_PRIME, BY_CLASS_NUMBER = "prime", "class number"
+BY_PRIME, BY_CLASS_NUMBER, BY_EIGENVECTORS = "prime", "class number", "eigenvectors"
 
 # What a certificate may call its method; several are joined by "; ".
 METHODS = {
@@ -85,6 +85,7 @@ METHODS = {
     BY_AREA: "a polygon that contains the Dirichlet domain has its area",
     BY_PRIME: "a quadratic order has no embedding at a prime",
     BY_CLASS_NUMBER: "embeddings that are different are as many as the class number formula says",
+    BY_EIGENVECTORS: "eigenvectors of Hecke operators are as many as the dimension",
     BY_S_UNITS: "all products of prime ideals that generate the class group and are principal",
 }
 
@@ -138,6 +139,9 @@ SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbol
 EMBEDDING_NUMBERS = (
     "the orbits of optimal embeddings are as many as class number and local numbers give (Eichler)"
 )
+NEW_FUNCTIONS = (
+    "newforms of weight 2 are the new functions on ideal classes (Eichler, Jacquet and Langlands)"
+)
 POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
 MINKOWSKI = (
@@ -173,6 +177,8 @@ THEOREMS = {
     SIEGEL: "Siegel, Nachrichten der Akademie Göttingen (1969), 87-102",
     SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7",
     EMBEDDING_NUMBERS: "Voight, Quaternion Algebras, theorem 30.7.3 and propositions 30.5.3 and 30.6.12",
+    NEW_FUNCTIONS: "Dembélé and Voight, Explicit methods for Hilbert modular forms (2013); "
+    "Jacquet and Langlands, Automorphic Forms on GL(2), Springer Lecture Notes in Mathematics 114 (1970)",
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",

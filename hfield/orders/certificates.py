@@ -11,13 +11,14 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol, cast
 
 import flint
 
 from hfield.checker.glossary import (
     BY_AREA,
     BY_CLASS_NUMBER,
+    BY_EIGENVECTORS,
     BY_MASS,
     BY_PRIME,
     DISCRIMINANT,
@@ -28,6 +29,7 @@ from hfield.checker.glossary import (
     MASS,
     MASS_OVER_FIELDS,
     MASS_OVER_POLYNOMIALS,
+    NEW_FUNCTIONS,
     NORM,
     ORDER,
     SHIMIZU,
@@ -42,7 +44,7 @@ from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import enumeration
 from hfield.orders.base import number_field_integers
-from hfield.orders.base_values import BaseIdeal, BaseNumber, ShownIdeal
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, ShownIdeal
 from hfield.orders.conjugators import two_generators
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
@@ -238,6 +240,30 @@ def _expect_rational_base(order: LatticeValue) -> None:
         )
 
 
+def of_newforms(
+    classes: Classes,
+    primes: Sequence[Prime],
+    parts: tuple[str, str],
+    shown: dict[str, object],
+    refusal: str | None,
+) -> CertifiedClaim:
+    """Return which newforms there are; ``parts`` are the weight, and orbits with eigenvalues."""
+    words = _words(classes.ambient)
+    of_classes = words.class_set(classes)
+    name = words.names.get("newforms", "newforms")
+    data = {**words.with_primes(of_classes.evidence, primes), "kind": name, **shown}
+    weight, orbits = parts
+    about = [text(classes.order), weight, words.primes_text(primes), orbits]
+    return CertifiedClaim(
+        classes.order.algebra,
+        f"{name}{{{'; '.join(about)}}}",
+        data,
+        BY_EIGENVECTORS,
+        assumes=(*of_classes.assumes, NEW_FUNCTIONS),
+        refusal=refusal,
+    )
+
+
 # --- how values are written ------------------------------------------------------------------------
 
 
@@ -255,6 +281,11 @@ def element_json(ambient: AlgebraBasis, q: Quaternion) -> object:
 def _side(side: str) -> str:
     """Return the side on which a statement is made; a two-sided ideal is a left one."""
     return "right" if side == "right" else "left"
+
+
+def lattice_json(lattice: LatticeValue) -> dict[str, object]:
+    """Return a reduced basis of a lattice as evidence has it."""
+    return _basis(lattice, lattice.ambient.base.field.one)
 
 
 def _basis(lattice: LatticeValue, norm: BaseNumber) -> dict[str, object]:
@@ -309,6 +340,12 @@ class _Words(Protocol):
 
     def class_set(self, classes: Classes) -> CertifiedClaim:
         """Return how many right ideal classes an order has, with one ideal of each."""
+
+    def primes_text(self, primes: Sequence[Prime]) -> str:
+        """Write primes as statements do."""
+
+    def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
+        """Return evidence that has also what is to be known of some primes."""
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
@@ -369,6 +406,12 @@ class _Rational:
         statement = f"class-set{{{text(order)}; {len(classes)}}}"
         return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
 
+    def primes_text(self, primes: Sequence[Prime]) -> str:
+        return ",".join(map(str, primes))
+
+    def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
+        return shown
+
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation:
@@ -408,7 +451,15 @@ class _OverField:
 
     names: ClassVar = {
         word: f"{word}-over-integers"
-        for word in (ORDER, IDEAL, EQUIVALENT, ISOMORPHIC, "dirichlet-domain", "norm-one-group")
+        for word in (
+            ORDER,
+            IDEAL,
+            EQUIVALENT,
+            ISOMORPHIC,
+            "dirichlet-domain",
+            "norm-one-group",
+            "newforms",
+        )
     }
     states_maximality: ClassVar = False
     area_theorems: ClassVar[tuple[str, ...]] = (SIEGEL, SHIMIZU)
@@ -465,6 +516,16 @@ class _OverField:
         cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
         statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
         return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+
+    def primes_text(self, primes: Sequence[Prime]) -> str:
+        return " | ".join(map(str, primes))
+
+    def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
+        base = self.ambient.base
+        s = s_units(base.ring)
+        given = cast("list[tuple[int, object]]", shown["primes"])
+        more = sorted({base.place(P).below for P in primes} - {p for p, _ in given})
+        return {**shown, "primes": [*given, *([p, evidence.seconds_above(s, p)] for p in more)]}
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
@@ -543,6 +604,12 @@ class _OverPolynomials:
         statement = f"{kind}{{{text(order)}; {len(classes)}}}"
         cited = (MASS_OVER_POLYNOMIALS,)
         return CertifiedClaim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+
+    def primes_text(self, primes: Sequence[Prime]) -> str:
+        return ",".join(map(str, primes))
+
+    def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
+        return shown
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue

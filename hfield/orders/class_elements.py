@@ -79,7 +79,9 @@ class ClassElements:
         return self._moved(times_ideal(self.classes.lattice(n), ideal), n, ideal * ideal)
 
     def _moved(self, lattice: LatticeValue, n: int, ideal: BaseIdeal) -> Located:
-        keys = self.classes.keys
-        norm: Norm = keys.multiplied(self.classes.norms[n], ideal)
-        around = SublatticeKeys(keys, lattice.matrix, lattice.den, norm)
+        return self.located(lattice, self.classes.keys.multiplied(self.classes.norms[n], ideal))
+
+    def located(self, lattice: LatticeValue, norm: Norm) -> Located:
+        """Return the class of a right ideal of this norm, and γ."""
+        around = SublatticeKeys(self.classes.keys, lattice.matrix, lattice.den, norm)
         return self._locate(around, around.reduced(self._ambient.identity))

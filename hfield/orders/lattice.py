@@ -66,6 +66,7 @@ from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
+from hfield.orders.newform_certificates import of_newforms
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.orders_modulo_integers import ResidueMatrices
 from hfield.orders.quadratic_orders import Embeddings
@@ -1731,6 +1732,19 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def claim(self) -> CertifiedClaim:
         """How many classes there are, as a statement with its evidence."""
         return certificates.of_class_set(self._classes)
+
+    def claim_of_newforms(self, weight: int = 2, norm: int = 20) -> CertifiedClaim:
+        """Return the newforms and their eigenvalues at primes of norm up to a bound, as a statement.
+
+        Its evidence is checked in weight 2, over ℚ and totally real fields of class number 1. Raises as
+        :meth:`newforms` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> claim = QuaternionAlgebra(11).maximal_order().class_set().claim_of_newforms(norm=7)
+        >>> claim.statement.rpartition(";")[2], claim.why_no_certificate
+        (' QQ: -2,-1,1,-2}', None)
+        """
+        return of_newforms(self._functions(checked_weight(weight)), positive(norm, "norm"))
 
     @property
     def evidence(self) -> dict[str, object]:

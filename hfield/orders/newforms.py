@@ -51,7 +51,11 @@ class Newform:
     """
 
     def __init__(self, module: Module, operator: Combination, polynomial: fmpz_poly) -> None:
-        self._module, self._operator, self._polynomial = module, operator, polynomial
+        self._module = module
+        self.operator = operator
+        """A combination of Hecke operators with different eigenvalues on all newforms of the level."""
+        self.polynomial = polynomial
+        """The polynomial of its eigenvalues on the orbit, irreducible over ℚ."""
         self._systems: dict[int, nmod_mat | None] = {}
         self._coordinate = -1
         self._numerators: dict[Prime, list[int]] = {}
@@ -59,7 +63,7 @@ class Newform:
     @property
     def degree(self) -> int:
         """How many newforms there are in the orbit: the degree of the field."""
-        return int(self._polynomial.degree())
+        return int(self.polynomial.degree())
 
     @property
     def weight(self) -> int:
@@ -79,13 +83,13 @@ class Newform:
     @cached_property
     def _field(self) -> EigenvalueField:
         primes = islice(self._module.good_primes(), SHORT_EIGENVALUES)
-        return EigenvalueField(self._polynomial, [self._numerator(P) for P in primes])
+        return EigenvalueField(self.polynomial, [self._numerator(P) for P in primes])
 
     @cached_property
     def _signs(self) -> dict[Prime, int]:
         """The signs, by primes of the base."""
         p, system = next(self._reductions())
-        one = nmod_poly(self._polynomial.derivative().coeffs(), p)
+        one = nmod_poly(self.polynomial.derivative().coeffs(), p)
         found = {}
         primes = [*((Q, 1) for Q, _ in self.level), *((Q, -1) for Q in self._module.ramified)]
         for Q, factor in primes:
@@ -147,7 +151,7 @@ class Newform:
 
     def _characteristic(self, numerator: list[int], p: int) -> list[int]:
         """Return the characteristic polynomial of N(α)/g′(α) modulo p, [] where p is not good for it."""
-        g = nmod_poly(self._polynomial.coeffs(), p)
+        g = nmod_poly(self.polynomial.coeffs(), p)
         common, inverse, _ = g.derivative().xgcd(g)
         if common.degree():
             return []
@@ -169,7 +173,7 @@ class Newform:
         if P not in self._numerators:
             d, module = self.degree, self._module
             size = module.bound(P)
-            bound = d * size * (1 + module.radius(self._operator)) ** (d - 1)
+            bound = d * size * (1 + module.radius(self.operator)) ** (d - 1)
             residues = (
                 (p, _applied(system, module.row(P, self._coordinate, p), p))
                 for p, system in self._reductions()
@@ -262,8 +266,8 @@ class Newform:
 
     def _reduction(self, p: int) -> nmod_mat | None:
         """Return g′(α)·vⱼ modulo p in column j; None where p does not fit, as where vᵢ is not a unit."""
-        g = nmod_poly(self._polynomial.coeffs(), p)
-        vector = self._module.eigenvectors(self._operator, self._polynomial, p)
+        g = nmod_poly(self.polynomial.coeffs(), p)
+        vector = self._module.eigenvectors(self.operator, self.polynomial, p)
         if vector is None:
             return None
         numbers = range(vector.ncols()) if self._coordinate < 0 else [self._coordinate]

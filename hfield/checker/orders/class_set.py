@@ -33,23 +33,26 @@ def need_class_set(
     classes: Iterable[tuple[Lattice, Any, int]],
     divided: Callable[[Any, Any], tuple[set[Key], int]],
     mass: Fraction,
-) -> None:
-    """Reject unless these ideals represent each class once; each has 1/ν and the index of its a.
+) -> list[int]:
+    """Return how many units left orders have modulo those of the field. Rejects what is no class set.
+
+    These ideals have to represent each class once; each has 1/ν and the index of its a.
 
     ``divided`` returns, for an ideal and its 1/ν, the lattices by which its class is recognised, and how many
     units its left order has modulo those of the field.
     """
     seen: dict[tuple[int, Key], int] = {}
-    total = Fraction(0)
+    units = []
     for number, (ideal, scale, kind) in enumerate(classes):
         need_ideal(ideal, order, "right", f"the ideal {number}")
         keys, count = divided(ideal, scale)
         for key in keys:
             if seen.setdefault((kind, key), number) != number:
                 reject(f"the ideals {seen[kind, key]} and {number} are in one class")
-        total += Fraction(1, count)
-    if total != mass:
+        units.append(count)
+    if sum(Fraction(1, count) for count in units) != mass:
         reject("these classes do not have the mass of all classes")
+    return units
 
 
 def divided_by_least(

@@ -16,6 +16,7 @@ from hfield.checker.number_fields.ideals import index
 from hfield.checker.number_fields.integers import (
     RATIONAL_INTEGERS,
     Factors,
+    Prime,
     Primes,
     RationalPrimes,
     RingOfIntegers,
@@ -24,6 +25,7 @@ from hfield.checker.number_fields.integers import (
     integer_row,
 )
 from hfield.checker.number_fields.matrices import Key, Row, is_one, lcm, normal, rational_rows, unit
+from hfield.checker.number_fields.modular import echelon
 from hfield.checker.number_fields.narrow_class_groups import NarrowClasses
 from hfield.checker.number_fields.real_numbers import RealPlace
 from hfield.checker.orders import local_types, polynomial_lattices
@@ -34,15 +36,17 @@ from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
 from hfield.checker.orders.polynomial_lattices import PolynomialLattice
 from hfield.checker.orders.real_algebra import RealAlgebra
-from hfield.checker.orders.texts import a_rational, a_whole_number, elements_of
+from hfield.checker.orders.texts import a_rational, a_whole_number, elements_of, numbers_of
 from hfield.checker.rejection import (
     a_list,
     a_text,
     an_integer,
     an_object,
     reject,
+    shown,
     texts,
 )
+from hfield.checker.scalars.finite import is_prime
 from hfield.checker.scalars.names import a_rational as a_coefficient
 from hfield.checker.scalars.number_fields import Element as Number
 from hfield.checker.scalars.number_fields import NumberField
@@ -77,6 +81,10 @@ class Given(ABC):
     @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
         """Read elements of the statement, as coordinates in the integral basis."""
+
+    def primes_named(self, text: str) -> list[Prime]:
+        """Read primes of the statement."""
+        reject("statements over this base name no primes")
 
     @abstractmethod
     def element(self, value: object) -> LatticeElement:
@@ -161,6 +169,13 @@ class OverQ(Given):
         """Read rows of four rational numbers."""
         return elements_of(text)
 
+    def primes_named(self, text: str) -> list[Prime]:
+        """Read prime numbers between commas."""
+        found = numbers_of(text)
+        if not all(map(is_prime, found)):
+            reject("a number in the statement is no prime number")
+        return [P for p in found for P in self.primes.at(p)]
+
     def element(self, value: object) -> LatticeElement:
         """Read four texts."""
         found = [a_rational(x) for x in texts(value, "an element")]
@@ -226,6 +241,28 @@ class OverField(Given):
                 den, own = self.algebra.integers.coordinates(number)
                 row += [Fraction(c, den) for c in own]
             found.append(row)
+        return found
+
+    def primes_named(self, text: str) -> list[Prime]:
+        """Read prime ideals between bars, each as p, or as (p, α)."""
+        found, ring = [], self.algebra.ring
+        for entry in split(text, "|"):
+            whole = entry.strip()
+            first, *others = split(whole[1:-1] if whole.startswith("(") else whole, ",")
+            p = a_whole_number(first, "the first generator of a prime ideal")
+            rows: list[Row] = []
+            for value in others:
+                den, row = self.algebra.integers.coordinates(
+                    coefficients(ring, ring.read(value.strip()))
+                )
+                if den != 1:
+                    reject("a generator of a prime ideal is no integer of the field")
+                rows += self.algebra.integers.matrix(row)
+            span = echelon(rows, p) if rows else []
+            P = next((P for P in self.primes.at(p) if P.span == span), None)
+            if P is None:
+                reject(f"{shown(whole)!r} is no prime ideal that is given")
+            found.append(P)
         return found
 
     def element(self, value: object) -> LatticeElement:

@@ -3,6 +3,7 @@
 import re
 from fractions import Fraction
 
+from hfield.checker.language import split
 from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
 SIDES = ("left", "right")
@@ -48,6 +49,19 @@ def words_of(text: str) -> tuple[tuple[int, ...], ...]:
     return tuple(
         tuple(a_whole_number(x, "a letter") for x in word.split()) for word in text.split(",")
     )
+
+
+def orbits_of(text: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Read ``field: a, a, …`` between bars, or ``none``, as texts. Raises :class:`Rejected`."""
+    if text.strip() == "none":
+        return ()
+    found = []
+    for orbit in split(text, "|"):
+        field, colon, numbers = orbit.partition(":")
+        if not colon:
+            reject("an orbit is written as a field, a colon and eigenvalues")
+        found.append((field.strip(), tuple(x.strip() for x in split(numbers, ","))))
+    return tuple(found)
 
 
 def elements_of(

@@ -3,13 +3,14 @@
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
 ``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·
 ``embedding-orbits{O; d; n}`` · ``class-set{O; h}`` · ``dirichlet-domain{O; c; g | …}`` ·
-``norm-one-group{O; genus; orders; cusps; g | …; words}``. A lattice is written as four rows of rational
-numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
+``norm-one-group{O; genus; orders; cusps; g | …; words}`` · ``newforms{O; 2; p,…; F: a,… | …}``. A lattice
+is written as four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
 
 Over a number field: ``order-over-integers{O; n}`` · ``ideal-over-integers{I; side; O; n}``, n the absolute
 norm of the reduced discriminant and of the reduced norm · ``equivalent-over-integers{side; I; J}`` ·
 ``isomorphic-over-integers{O; P}`` · ``unit-index{O; n}`` · ``ideal-classes{O; h}`` ·
-``dirichlet-domain-over-integers{…}`` · ``norm-one-group-over-integers{…}``. A lattice is written as a basis
+``dirichlet-domain-over-integers{…}`` · ``norm-one-group-over-integers{…}`` · ``newforms-over-integers{…}``.
+A lattice is written as a basis
 over ℤ, of elements with four numbers of the field each.
 
 Over the functions over a finite field: ``order-over-polynomials{O; n}`` ·
@@ -25,13 +26,14 @@ from typing import Any
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
-from hfield.checker.orders import answers, embeddings
+from hfield.checker.orders import answers, embeddings, newforms
 from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
     a_side,
     elements_of,
     numbers_of,
+    orbits_of,
     rows_of,
     words_of,
 )
@@ -42,6 +44,7 @@ Check = Callable[[Any, tuple[str, ...]], CheckResult]
 Evidence = dict[tuple[str, str], tuple[Check, str, str]]
 """Of a word and a verdict: the check, the keys of the evidence, and those that may be left out."""
 
+NEWFORMS = "above neighbours operator modulus orbits"
 OVER_Q: Evidence = {
     ("order", "proved"): (answers.is_order, "", ""),
     ("ideal", "proved"): (answers.is_ideal, "", ""),
@@ -55,6 +58,7 @@ OVER_Q: Evidence = {
     ("class-set", "proved"): (answers.is_class_set, "classes", ""),
     ("dirichlet-domain", "proved"): (answers.is_domain, "", ""),
     ("norm-one-group", "proved"): (answers.is_group, "center units", ""),
+    ("newforms", "proved"): (newforms.are_newforms, f"classes {NEWFORMS}", ""),
 }
 UNITS = "units fundamental"
 OVER_FIELDS: Evidence = {
@@ -71,6 +75,9 @@ OVER_FIELDS: Evidence = {
     ("dirichlet-domain-over-integers", "proved"): (answers.is_domain, "basis primes", ""),
     ("norm-one-group-over-integers", "proved"): (
         answers.is_group, "basis primes center units", ""
+    ),
+    ("newforms-over-integers", "proved"): (
+        newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow"
     ),
 }  # fmt: skip
 
@@ -105,6 +112,7 @@ PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
     "class-set": (rows_of, a_rational),
     "dirichlet-domain": (rows_of, elements_of, elements_of),
     "norm-one-group": (rows_of, a_rational, numbers_of, a_rational, elements_of, words_of),
+    "newforms": (rows_of, a_rational, numbers_of, orbits_of),
 }
 
 _NUMBER, _WHOLE = "[1-9][0-9]{0,99}", "(0|[1-9][0-9]{0,9})"
@@ -121,6 +129,7 @@ FORMS = {
     "dirichlet-domain-over-integers": "[^;]+;[^;]+;[^;]+",
     "norm-one-group-over-integers": f"[^;]+;{_WHOLE};(none|{_WHOLE}(,{_WHOLE})*);{_WHOLE};[^;]+;"
     f"(none|{_LETTERS}(,{_LETTERS})*)",
+    "newforms-over-integers": "[^;]+;2;[^;]+;[^;]+",
     "order-over-polynomials": f"[^;]+;{_IDEAL}",
     "ideal-over-polynomials": f"[^;]+;(left|right);[^;]+;{_IDEAL}",
     "equivalent-over-polynomials": "(left|right);[^;]+;[^;]+",

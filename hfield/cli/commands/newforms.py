@@ -3,30 +3,25 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answer_formats import OutputDocument, answer_one, of_parts
+from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
+    add_answers,
     add_where,
     algebra_of,
     announce,
+    answer_certified,
     ideal_json,
     level_of,
 )
-from hfield.cli.parser import (
-    UsageError,
-    add_factors,
-    add_format,
-    add_output,
-    add_standalone,
-    given_factors,
-    whole,
-)
+from hfield.cli.parser import UsageError, whole
 from hfield.cli.status import Waiting
 
 if TYPE_CHECKING:
+    from hfield.evidence import CertifiedClaim
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.orders.lattice import ClassSet
     from hfield.orders.newforms import Newform
@@ -42,7 +37,7 @@ DOING = "enumerating classes"
 EXAMPLES = (
     "hfield newforms 389",
     "hfield newforms 3 --level 5 --weight 4 --primes 100",
-    "hfield newforms '(-1,-1|QQ(sqrt(5)))' --level '6 + sqrt(5)' --format json",
+    "hfield newforms '(-1,-1|QQ(sqrt(5)))' --level '6 + sqrt(5)' --certificate newforms.json",
 )
 MAX_WEIGHT = 1_000
 MAX_PRIME = 10**5
@@ -73,19 +68,15 @@ def configure(parser: ArgumentParser) -> None:
         default=20,
         help="print eigenvalues at the primes of norm up to B (default: 20)",
     )
-    add_factors(parser)
-    add_format(parser, "plain", "json", "latex")
-    add_standalone(parser)
-    add_output(parser)
+    add_answers(parser)
 
 
 def run(args: Namespace) -> int:
     """Compute the newforms, and print them."""
-    with given_factors(args):
-        return answer_one(args, partial(_answer, args))
+    return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> OutputDocument:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     A = algebra_of(args.algebra)
     level, k = level_of(args.level, A), args.weight
     O = A.eichler_order(level)
@@ -102,9 +93,10 @@ def _answer(args: Namespace) -> OutputDocument:
     C = O.class_set()
     Waiting.at("computing newforms")
     forms = C.newforms(weight=k)
-    return of_parts(
+    document = of_parts(
         lambda: _data(C, k, forms, args.primes), lambda: _parts(C, k, forms, args.primes)
     )
+    return document, lambda: C.claim_of_newforms(k, args.primes)
 
 
 def _data(C: ClassSet, k: int, forms: list[Newform], bound: int) -> dict[str, object]:

@@ -1,0 +1,319 @@
+"""Newforms of weight 2: eigenvectors of Hecke operators on functions on the right ideal classes of an order.
+
+Let O be an Eichler order of level N in a totally definite algebra of discriminant D. The value of T_P·f at I
+is the sum of f(J) over the right ideals J in I of relative norm P, of which there are N(P) + 1 where P does
+not divide D·N. A function f is new if it is orthogonal to functions of the norm, and if its trace to each
+order O′ in which O has prime index vanishes: the sum of f(J) over the J with J·O′ = L, for each right ideal L
+of O′. At a prime of the level there are two such orders.
+
+The ideals J are given as c·I, I one of the representatives of the classes. They are all if they are different
+and as many as there should be. An orbit of newforms is given by the values of an eigenvector in the field of
+the orbit. If a combination of Hecke operators has different eigenvalues on all these eigenvectors and their
+conjugates, they are independent. They span the new functions if they are as many as the dimension, of which
+equations modulo a prime give an upper bound (docs/explanation/trust.md).
+"""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import lcm
+
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
+from hfield.checker.glossary import BY_EIGENVECTORS, FIELD, NEW_FUNCTIONS
+from hfield.checker.number_fields.factoring import factored
+from hfield.checker.number_fields.ideals import times_primes
+from hfield.checker.number_fields.integers import RATIONAL_FIELD, Prime, coefficients, integer_row
+from hfield.checker.number_fields.matrices import Key, hermite, times
+from hfield.checker.number_fields.modular import echelon
+from hfield.checker.orders.class_set import need_class_set
+from hfield.checker.orders.lattice import Lattice
+from hfield.checker.orders.local_types import symbols
+from hfield.checker.orders.reading import OverField, OverQ
+from hfield.checker.orders.texts import a_whole_number, orbits_of
+from hfield.checker.rejection import a_list, an_integer, an_object, reject, shown
+from hfield.checker.scalars.fields import read_ring
+from hfield.checker.scalars.finite import gcd_modulo, is_prime
+from hfield.checker.scalars.number_fields import Element as Number
+from hfield.checker.scalars.number_fields import NumberField
+from hfield.checker.scalars.rationals import QQ
+
+Row = Mapping[int, int]
+"""How many ideals of a list lie in which class."""
+
+
+def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResult:
+    """These are the Galois orbits of newforms of weight 2, with the eigenvalues at some primes."""
+    if a_whole_number(parts[1], "a weight") != 2:
+        reject("newforms are checked in weight 2")
+    if given.class_number != 1:
+        reject("newforms are checked over fields of class number 1")
+    functions = Functions(given, given.order(parts[0]))
+    primes, data = given.primes_named(parts[2]), given.data
+    rows = functions.hecke_rows(primes, data["neighbours"])
+    weights = [an_integer(c, "a coefficient") for c in a_list(data["operator"], "the operator")]
+    if len(weights) != len(primes):
+        reject("the operator has a coefficient for each prime")
+    if any(c and len(own) < functions.size for c, own in zip(weights, rows, strict=True)):
+        reject("an operator that tells newforms apart is given at all classes")
+    equations = functions.equations(data["above"])
+    orbits = list(_orbits(parts[3], data["orbits"], functions.size, len(primes)))
+    for orbit in orbits:
+        orbit.need_new(equations)
+        for own, a in zip(rows, orbit.eigenvalues, strict=True):
+            orbit.need_eigenvalue(own, a)
+    p = an_integer(data["modulus"], "a prime number", 2)
+    if not is_prime(p):
+        reject("the modulus is no prime number")
+    table = [[row.get(j, 0) for j in range(functions.size)] for row in equations]
+    if sum(orbit.field.degree for orbit in orbits) != functions.size - len(echelon(table, p)):
+        reject("the degrees of the orbits do not add up to the dimension of the new functions")
+    _need_different([orbit.characteristic(weights) for orbit in orbits], p)
+    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem, NEW_FUNCTIONS)
+    return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites)
+
+
+class Functions:
+    """The functions on the right ideal classes of an Eichler order, one ideal of each class being given."""
+
+    def __init__(self, given: OverQ | OverField, order: Lattice) -> None:
+        self.given, self.order = given, order
+        classes = list(given.classes(a_list(given.data["classes"], "classes", 1)))
+        self.units = need_class_set(order, classes, given.divided, given.mass(order))
+        self.ideals, self.kinds = [x for x, _, _ in classes], [kind for _, _, kind in classes]
+        self.size = len(classes)
+        self._symbols = symbols(order, given.primes)
+        self.level = self._level()
+
+    def _level(self) -> list[Prime]:
+        """Return the primes of the level of an Eichler order. Rejects another order."""
+        found = []
+        for p, e in factored(self.order.discriminant).items():
+            above = [(P, symbol) for P, symbol in self._symbols if P.p == p]
+            is_squarefree = e == sum(P.degree for P, _ in above)
+            for P, symbol in above:
+                if symbol == 1:
+                    found.append(P)
+                elif symbol == 0 or not is_squarefree:
+                    reject(f"it is not shown that this is an Eichler order at {p}")
+        return found
+
+    def _ideals(
+        self, entries: object, inside: Lattice, number: int, volume: Fraction, norm: Key | None
+    ) -> Row:
+        """Read so many different right ideals in a lattice, as classes: pairs of a class and an element."""
+        found: Counter[int] = Counter()
+        known = set()
+        for entry in a_list(entries, "ideals"):
+            j, ideal = self._ideal(entry)
+            if not inside.holds(ideal.den, ideal.rows):
+                reject("an ideal does not lie where it should")
+            if ideal.volume != volume or norm not in (None, ideal.norm):
+                reject("an ideal has another norm than it should")
+            known.add(ideal.key)
+            found[j] += 1
+        if len(known) != number or found.total() != number:
+            reject(f"{number} different ideals are expected")
+        return found
+
+    def _ideal(self, entry: object) -> tuple[int, Lattice]:
+        """Read ``[j, c]``: the ideal c·I of class j."""
+        pair = a_list(entry, "an ideal", 2)
+        j, c = an_integer(pair[0], "a class", 0), self.given.element(pair[1])
+        if len(pair) != 2 or j >= self.size or not any(c.row):
+            reject("an ideal is the number of a class and an element other than 0")
+        ideal = self.ideals[j].times(c, "left")
+        _ = ideal.key  # of full rank
+        return j, ideal
+
+    def hecke_rows(self, primes: Sequence[Prime], value: object) -> list[dict[int, Row]]:
+        """Read the rows of Hecke operators: for each prime, pairs of a class and the ideals in it."""
+        tables = a_list(value, "neighbours")
+        if len(tables) != len(primes) or not primes:
+            reject("there are neighbours for each prime, one at least")
+        found: list[dict[int, Row]] = []
+        for P, table in zip(primes, tables, strict=True):
+            if P in [Q for Q, _ in self._symbols]:
+                reject("a prime divides the discriminant of the order")
+            rows: dict[int, Row] = {}
+            for entry in a_list(table, "neighbours", 1):
+                pair = a_list(entry, "a row", 2)
+                i = an_integer(pair[0], "a class", 0)
+                if len(pair) != 2 or i >= self.size or i in rows:
+                    reject("a row has the number of a class, and its ideals; no class comes twice")
+                around = self.ideals[i]
+                volume = around.volume * P.norm**2
+                norm = times_primes(around.algebra.integers, [(P, 1)], around.norm)
+                rows[i] = self._ideals(pair[1], around, P.norm + 1, volume, norm)
+            found.append(rows)
+        return found
+
+    def equations(self, value: object) -> list[Row]:
+        """Read the linear equations of new functions, by the orders of which this one has prime index."""
+        common = lcm(*self.units)
+        found: list[Row] = [
+            {n: common // self.units[n] for n, k in enumerate(self.kinds) if k == kind}
+            for kind in sorted(set(self.kinds))
+        ]
+        primes: list[Prime] = []
+        larger = set()
+        for entry in a_list(value, "the orders above"):
+            data = an_object(entry, "order ideals", "an order above")
+            above = self.given.given(data["order"])
+            P = self._prime_of_index(above)
+            larger.add(above.key)
+            primes.append(P)
+            found += self._traces(above, P, a_list(data["ideals"], "ideals of an order above", 1))
+        if any(primes.count(P) != 2 for P in self.level) or len(larger) != 2 * len(self.level):
+            reject("there are two orders above at each prime of the level, and all are to be given")
+        return found
+
+    def _prime_of_index(self, above: Lattice) -> Prime:
+        """Return the prime of the level at which an order is larger. Rejects what is no order above."""
+        one = self.order.algebra.number(self.order.algebra.integers.one)
+        if not (
+            above.holds(1, [one])
+            and above.products_lie_in(above, above)
+            and above.holds(self.order.den, self.order.rows)
+        ):
+            reject("an order above is no order, or does not contain the other")
+        ratio = self.order.volume / above.volume
+        for P in self.level:
+            # P·O′ is in O: O′ is larger at P alone
+            span = [*P.span, tuple(P.p * c for c in self.order.algebra.integers.one)]
+            rows = [
+                above.algebra.blockwise(row, above.algebra.integers.matrix(x))
+                for x in span
+                for row in above.rows
+            ]
+            above.pay(len(span))
+            if ratio == P.norm and self.order.holds(above.den, rows):
+                return P
+        reject("an order above has no prime index at a prime of the level")
+
+    def _traces(self, above: Lattice, P: Prime, values: Sequence[object]) -> Iterator[Row]:
+        """Yield the sums over the ideals J with J·O′ = L, for an L of each class."""
+        in_level = P in [Q for Q, _ in symbols(above, self.given.primes)]
+        number = P.norm if in_level else P.norm + 1
+        classes: set[int] = set()
+        for value in values:
+            entries = a_list(value, "ideals", 1)
+            _, first = self._ideal(entries[0])
+            generated = _product(first, above)
+            row = self._ideals(entries, generated, number, first.volume, None)
+            classes |= row.keys()
+            yield row
+        if len(classes) != self.size:
+            reject("a class lies in no ideal of an order above")
+
+
+def _product(ideal: Lattice, order: Lattice) -> Lattice:
+    """Return I·O′."""
+    ideal.pay(3 * ideal.algebra.size, order.bits)
+    rows = [x for row in order.rows for x in times(ideal.rows, ideal.algebra.right(row))]
+    den = ideal.den * order.den * ideal.algebra.scale
+    return Lattice(ideal.algebra, den, hermite(rows))
+
+
+# --- orbits -------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A Galois orbit: the field, eigenvalues at the primes, and an eigenvector with integral coefficients."""
+
+    field: NumberField
+    eigenvalues: list[Number]
+    vector: list[tuple[int, ...]]
+
+    def _sum(self, row: Row) -> list[int]:
+        """Return a combination of the values."""
+        spend(len(row) * self.field.degree)
+        return [
+            sum(c * self.vector[j][k] for j, c in row.items()) for k in range(self.field.degree)
+        ]
+
+    def need_new(self, equations: Sequence[Row]) -> None:
+        """Reject a function that is not new."""
+        if any(any(self._sum(row)) for row in equations):
+            reject("an eigenvector is no new function: an equation fails")
+
+    def need_eigenvalue(self, rows: Mapping[int, Row], a: Number) -> None:
+        """Reject unless these rows of an operator have this eigenvalue; one at a value other than 0."""
+        field = self.field
+        for i, row in rows.items():
+            value = tuple(map(Fraction, self.vector[i]))
+            if field.mul(a, value) != tuple(self._sum(row)):
+                reject("a vector is no eigenvector with the eigenvalue that is stated")
+        if not any(any(self.vector[i]) for i in rows):
+            reject("an eigenvalue is not seen: the eigenvector is 0 where the operator is given")
+
+    def characteristic(self, weights: Sequence[int]) -> list[int]:
+        """Return the characteristic polynomial of the eigenvalue of the operator, by Newton's identities."""
+        field, x = self.field, self.field.zero
+        for c, a in zip(weights, self.eigenvalues, strict=True):
+            x = field.add(x, field.mul(field.number(c), a))
+        power, sums = field.one, []
+        for _ in range(field.degree):
+            power = field.mul(power, x)
+            sums.append(sum((c * t for c, t in zip(power, self._traces, strict=True)), Fraction(0)))
+        return _by_power_sums(sums)
+
+    @cached_property
+    def _traces(self) -> list[Fraction]:
+        """The traces of 1, s, s², …"""
+        field, found = self.field, [Fraction(self.field.degree)]
+        for k in range(1, field.degree):
+            # Σ e_m·t_(k−m) + k·e_k = 0 for the coefficients e_m of degree n − m
+            e = [field.modulus[field.degree - m] for m in range(1, k + 1)]
+            found.append(-sum(e[m - 1] * found[k - m] for m in range(1, k)) - k * e[k - 1])
+        return found
+
+
+def _by_power_sums(sums: Sequence[Fraction]) -> list[int]:
+    """Return the monic polynomial whose roots have these power sums, low degree first."""
+    e = [Fraction(1)]
+    for k in range(1, len(sums) + 1):
+        spend(k)
+        e.append(-sum((e[k - m] * sums[m - 1] for m in range(1, k + 1)), Fraction(0)) / k)
+    if any(c.denominator != 1 for c in e):
+        reject("an eigenvalue is no integer of its field")
+    return [int(c) for c in reversed(e)]
+
+
+def _need_different(polynomials: Sequence[Sequence[int]], p: int) -> None:
+    """Reject unless polynomials have different roots modulo p, all together."""
+    whole = [1]
+    for f in polynomials:
+        spend(len(whole) * len(f))
+        found = [0] * (len(whole) + len(f) - 1)
+        for k, c in enumerate(whole):
+            for m, d in enumerate(f):
+                found[k + m] = (found[k + m] + c * d) % p
+        whole = found
+    derivative = [k * c % p for k, c in enumerate(whole)][1:]
+    if len(gcd_modulo(whole, derivative, p)) != 1 and len(whole) > 1:
+        reject(
+            "the operator does not tell these newforms apart: it has an eigenvalue twice modulo p"
+        )
+
+
+def _orbits(text: str, value: object, size: int, primes: int) -> Iterator[Orbit]:
+    """Read ``field: a, a, …`` between bars, with the data of the fields and the eigenvectors."""
+    data = a_list(value, "orbits")
+    named = orbits_of(text)
+    if len(named) != len(data):
+        reject("there is an eigenvector for each orbit that is stated")
+    for entry, (name, texts) in zip(data, named, strict=True):
+        orbit = an_object(entry, "ring vector", "an orbit")
+        ring = read_ring(orbit["ring"])
+        field = RATIONAL_FIELD if ring is QQ else ring
+        if not isinstance(field, NumberField) or name != ring.name:
+            reject(f"the field of an orbit is {shown(name)!r} by its name, and not by its data")
+        vector = [integer_row(x, field.degree) for x in a_list(orbit["vector"], "an eigenvector")]
+        if len(texts) != primes or len(vector) != size:
+            reject("an orbit has an eigenvalue for each prime, and a value for each class")
+        values = [coefficients(ring, ring.read(x)) for x in texts]
+        yield Orbit(field, values, vector)

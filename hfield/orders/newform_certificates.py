@@ -1,0 +1,237 @@
+"""Certificates of newforms of weight 2: the ideals that Hecke operators and traces add up, and eigenvectors.
+
+An orbit is shown by an eigenvector with values in its field. Let g be the polynomial of the eigenvalue α of
+an operator T on the orbit, and h that of its other eigenvalues. Then (g(x) − g(T))/(x − T)·h(T)·u is an
+eigenvector at x = α, for every function u whose image under h(T) is not 0.
+"""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from fractions import Fraction
+from functools import cached_property
+from itertools import count, islice
+from math import lcm
+from typing import TYPE_CHECKING, Any
+
+from flint import fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
+
+from hfield.core.primality import is_prime
+from hfield.orders import certificates
+from hfield.orders.base_values import Prime
+from hfield.orders.class_elements import ClassElements
+from hfield.orders.classes import Classes
+from hfield.orders.invariants import good_primes
+from hfield.orders.lattice_values import LatticeValue, multiple, product
+from hfield.orders.related_orders import overorders
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.evidence import CertifiedClaim
+    from hfield.orders.eigensystems import Module
+    from hfield.orders.newforms import Newform
+
+Ideal = tuple[int, "Quaternion"]
+"""The number j of a class and an element c: the ideal c·I_j."""
+LEAST_MODULUS, MAX_MODULI = 10**9, 20
+
+
+def of_newforms(module: Module, norm: int) -> CertifiedClaim:
+    """Return the Galois orbits of newforms, with eigenvalues at the good primes of norm up to a bound.
+
+    The primes of the operator that tells the newforms apart are added. The checker is not asked about other
+    weights than 2, polynomials, and fields whose class number is not 1.
+    """
+    refusal = None
+    if module.weight != 2:
+        refusal = "the checker knows newforms of weight 2 only"
+    elif module.base.is_polynomial or module.base.class_generators:
+        refusal = "the checker knows newforms over QQ and over fields of class number 1"
+    return _Shown(module, norm).claim(refusal)
+
+
+class _Shown:
+    """What shows the newforms of a module."""
+
+    def __init__(self, module: Module, norm: int) -> None:
+        self.module, self.forms = module, module.newforms
+        self.classes, self.ambient = module.classes, module.classes.ambient
+        self.elements = ClassElements(self.classes)
+        self.size = len(self.classes)
+        self.operator = dict(zip(*self.forms[0].operator, strict=True)) if self.forms else {}
+        bad = {P for P, _ in module.level} | set(module.ramified)
+        self.primes = [P for P in module.primes_up_to(norm) if P not in bad]
+        self.primes += [P for P in self.operator if P not in self.primes]
+        if not self.primes:
+            self.primes = [next(good_primes(self.classes.order))]
+
+    def claim(self, refusal: str | None) -> CertifiedClaim:
+        """Return the statement with its evidence, which is left out where the checker is not asked."""
+        shown = {} if refusal else self._evidence()
+        stated = [
+            f"{f.field.name}: {','.join(f.field.text(f.eigenvalue(P)) for P in self.primes)}"
+            for f in self.forms
+        ]
+        parts = str(self.module.weight), " | ".join(stated) or "none"
+        return certificates.of_newforms(self.classes, self.primes, parts, shown, refusal)
+
+    def _evidence(self) -> dict[str, object]:
+        vectors = list(map(self._eigenvector, self.forms))
+        neighbours = [
+            [[i, self._json(self._neighbours(i, P))] for i in self._rows(P, vectors)]
+            for P in self.primes
+        ]
+        above = [
+            (O, self._fibres(O))
+            for P, _ in self.module.level
+            for O in overorders(self.classes.order, P, 1)
+        ]
+        equations = [Counter(j for j, _ in fibre) for _, fibres in above for fibre in fibres]
+        return {
+            "neighbours": neighbours,
+            "above": [
+                {"order": certificates.lattice_json(O), "ideals": list(map(self._json, fibres))}
+                for O, fibres in above
+            ],
+            "operator": [self.operator.get(P, 0) for P in self.primes],
+            "modulus": self._modulus(equations),
+            "orbits": [
+                {"ring": f.field.data, "vector": [[int(c) for c in row] for row in v.tolist()]}
+                for f, v in zip(self.forms, vectors, strict=True)
+            ],
+        }
+
+    # --- ideals ------------------------------------------------------------------------------------------
+
+    def _json(self, ideals: list[Ideal]) -> list[object]:
+        return [[j, certificates.element_json(self.ambient, c)] for j, c in ideals]
+
+    def _neighbours(self, i: int, prime: Prime) -> list[Ideal]:
+        """Return the ideals of relative norm P in class i."""
+        volume = _volume(self.classes.lattice(i)) * self.module.absolute_norm(prime) ** 2
+        return [self._scaled(*found, volume) for found in self.elements.neighbours(i, prime)]
+
+    def _scaled(self, j: int, row: list[fmpz], volume: Fraction) -> Ideal:
+        """Return a class and a rational multiple of an element with a c·I_j of a volume."""
+        c = self.ambient.element(row)
+        return j, c * self._factor(multiple(self.classes.lattice(j), c, "left"), volume)
+
+    def _factor(self, lattice: LatticeValue, volume: Fraction) -> Fraction:
+        """Return the positive number by which a lattice is multiplied to have a volume."""
+        top, below = (volume / _volume(lattice)).as_integer_ratio()
+        size = self.ambient.size
+        return Fraction(int(fmpz(top).root(size)), int(fmpz(below).root(size)))
+
+    def _fibres(self, above: LatticeValue) -> list[list[Ideal]]:
+        """Return, for each class of right ideals L of a larger order, the J with J·O′ = L."""
+        larger = ClassElements(Classes(above))
+        index = _volume(self.classes.order) / _volume(above)
+        volumes = [_volume(larger.classes.lattice(n)) * index for n, _ in enumerate(larger.units)]
+        found: list[dict[LatticeValue, Ideal]] = [{} for _ in larger.units]
+        for j in range(self.size):
+            ideal = self.classes.lattice(j)
+            n, row = larger.located(product(ideal, above), self.classes.norms[j])
+            back = self.ambient.element(row).inverse()
+            for unit in larger.units[n]:
+                c = self.ambient.element(unit) * back
+                c = c * self._factor(multiple(ideal, c, "left"), volumes[n])
+                found[n].setdefault(multiple(ideal, c, "left"), (j, c))
+        return [list(fibre.values()) for fibre in found]
+
+    # --- eigenvectors ------------------------------------------------------------------------------------
+
+    @cached_property
+    def _matrix(self) -> fmpz_mat:
+        """The operator that tells the newforms apart."""
+        entries = [0] * self.size**2
+        for P, c in self.operator.items():
+            for i, row in enumerate(self.classes.neighbours(P)):
+                for j, times in row.items():
+                    entries[i * self.size + j] += c * times
+        return fmpz_mat(self.size, self.size, entries)
+
+    @cached_property
+    def _polynomial(self) -> fmpz_poly:
+        """The product of the different factors of its characteristic polynomial."""
+        whole = fmpz_poly(self._matrix.charpoly())
+        return whole // whole.gcd(whole.derivative())
+
+    def _eigenvector(self, form: Newform) -> fmpz_mat:
+        """Return an eigenvector: for each class coefficients of powers of the generator of the field."""
+        g, T = form.polynomial, self._matrix
+        rng = random.Random(1)
+        start = fmpz_mat(self.size, 1, [rng.randrange(-9, 10) for _ in range(self.size)])
+        w = fmpz_mat(self.size, 1)
+        for c in reversed((self._polynomial // g).coeffs()):
+            w = T * w + start * c
+        d = form.degree
+        powers = [w]
+        for _ in range(1, d):
+            powers.append(T * powers[-1])
+        krylov = fmpz_mat([[int(x) for x in v.entries()] for v in powers])
+        hankel = fmpz_mat([[int(g[m + 1 + k]) for k in range(d)] for m in range(d)])
+        values = (hankel * krylov).transpose()  # of each class, in powers of α
+        modulus = fmpq_poly(g)
+        first = next(row for row in values.tolist() if any(row))
+        inverse = fmpq_poly(first).xgcd(modulus)[1]
+        scale = fmpq_mat(
+            [_padded(fmpq_poly([0] * k + [1]) * inverse % modulus, d) for k in range(d)]
+        )
+        alpha = sum((form.eigenvalue(P) * c for P, c in self.operator.items()), form.field(0))
+        change, power = [], form.field(1)
+        for _ in range(d):
+            change.append(_coefficients(form, power))
+            power = power * alpha
+        found = fmpq_mat(values) * scale * fmpq_mat(change)
+        return found.numer_denom()[0]
+
+    def _rows(self, prime: Prime, vectors: list[fmpz_mat]) -> list[int]:
+        """Return classes at which a Hecke operator is to be given: some at which no eigenvector is 0."""
+        if self.operator.get(prime):
+            return list(range(self.size))
+        if not vectors:
+            return [0]
+        found, rest = list[int](), vectors
+        while rest:
+            zeros = [
+                [v for v in rest if not any(v[i, k] for k in range(v.ncols()))]
+                for i in range(self.size)
+            ]
+            i = min(range(self.size), key=lambda i: len(zeros[i]))
+            found.append(i)
+            rest = zeros[i]
+        return found
+
+    def _modulus(self, equations: list[Counter[int]]) -> int:
+        """Return a prime modulo which eigenvalues stay different, and equations independent."""
+        rows = [[row[j] for j in range(self.size)] for row in equations]
+        kinds, units = [norm.number for norm in self.classes.norms], self.classes.units
+        common = lcm(*units)
+        for kind in sorted(set(kinds)):  # functions of the norm
+            pairs = zip(kinds, units, strict=True)
+            rows.append([common // w if k == kind else 0 for k, w in pairs])
+        whole = fmpz_poly([1])
+        for f in self.forms:
+            whole *= f.polynomial
+        rank = self.size - whole.degree()
+        for p in islice(filter(is_prime, count(LEAST_MODULUS)), MAX_MODULI):
+            reduced = nmod_poly(whole.coeffs(), p)
+            if not reduced.gcd(reduced.derivative()).degree() and nmod_mat(rows, p).rank() == rank:
+                return p
+        raise AssertionError("the newforms do not have the dimension of the new functions")
+
+
+def _volume(lattice: LatticeValue) -> Fraction:
+    """Return the determinant of the rows of a lattice, without its sign."""
+    return Fraction(abs(int(lattice.matrix.det())), int(lattice.den) ** lattice.ambient.size)
+
+
+def _coefficients(form: Newform, x: Any) -> list[fmpq]:
+    """Return the coefficients of the powers of the generator of the field."""
+    return [fmpq(x)] if form.degree == 1 else _padded(x.poly, form.degree)
+
+
+def _padded(x: fmpq_poly, d: int) -> list[fmpq]:
+    found: list[fmpq] = x.coeffs()
+    return found + [fmpq(0)] * (d - len(found))
