@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import prod
 
 import pytest
-from flint import fmpz_poly
+from flint import fmpz_poly, nmod_poly
 
 from hfield.checker.anisotropy import is_certified
 from hfield.checker.budget import bounded
@@ -16,6 +16,7 @@ from hfield.checker.scalars.number_fields import (
     BITS,
     check_irreducible,
     cyclotomic,
+    factor_degrees,
     root_discs,
     twice_cosine,
 )
@@ -97,6 +98,28 @@ def test_where_no_prime_helps(f: list[int], right: bool) -> None:
     else:
         with pytest.raises(Rejected, match="may be reducible"):
             check_irreducible(f, "it")
+
+
+def test_degrees_of_factors_modulo_primes() -> None:
+    rng, seen = random.Random(2), 0
+    for _ in range(cases(200)):
+        p = rng.choice([2, 3, 5, 31])
+        f = [rng.randint(-9, 9) for _ in range(rng.randint(1, 12))] + [1]
+        factors = nmod_poly(f, p).factor()[1]
+        expected = sorted(g.degree() for g, _ in factors)
+        found = factor_degrees(f, p)
+        if found is None:
+            assert any(e > 1 for _, e in factors), f
+        else:
+            assert sorted(found) == expected, f
+            seen += 1
+    assert seen > 20
+
+
+@pytest.mark.parametrize("n", [16, 20, 33, 40])
+def test_irreducible_polynomials_of_large_degree(n: int) -> None:
+    """Xⁿ − X − 1 is irreducible (Selmer), and its group is that of all permutations."""
+    check_irreducible([-1, -1, *[0] * (n - 2), 1], "it")
 
 
 LONG, CUBE = 4**1000, generated([-2, 0, 0, 1])
