@@ -67,6 +67,7 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
     p = an_integer(data["modulus"], "a prime number", 2)
     if not is_prime(p):
         reject("the modulus is no prime number")
+    spend(len(equations) * functions.size)
     table = [[row.get(j, 0) for j in range(functions.size)] for row in equations]
     if sum(orbit.field.degree for orbit in orbits) != functions.size - len(echelon(table, p)):
         reject("the degrees of the orbits do not add up to the dimension of the new functions")
@@ -265,6 +266,7 @@ class Orbit:
     def _traces(self) -> list[Fraction]:
         """The traces of 1, s, s², …"""
         field, found = self.field, [Fraction(self.field.degree)]
+        spend(field.degree**2)
         for k in range(1, field.degree):
             # Σ e_m·t_(k−m) + k·e_k = 0 for the coefficients e_m of degree n − m
             e = [field.modulus[field.degree - m] for m in range(1, k + 1)]
@@ -294,7 +296,7 @@ def _need_different(polynomials: Sequence[Sequence[int]], p: int) -> None:
                 found[k + m] = (found[k + m] + c * d) % p
         whole = found
     derivative = [k * c % p for k, c in enumerate(whole)][1:]
-    if len(gcd_modulo(whole, derivative, p)) != 1 and len(whole) > 1:
+    if len(gcd_modulo(whole, derivative, p)) > 1:
         reject(
             "the operator does not tell these newforms apart: it has an eigenvalue twice modulo p"
         )

@@ -1,0 +1,302 @@
+"""Certificates of newforms: true ones are accepted, and forged forms, ideals and fields are not."""
+
+import copy
+import re
+from functools import cache
+from typing import Any
+
+import pytest
+
+from hfield import QuaternionAlgebra
+from hfield.checker.glossary import MASS, NEW_FUNCTIONS
+from tests.checker.cases import Certificate
+from tests.checker.order_certificates import established, rejects
+
+GOLDEN = "QQ(sqrt(5))"
+
+
+@cache
+def _certificate(algebra: int | str, level: int | str, norm: int) -> Certificate:
+    A = QuaternionAlgebra(algebra)
+    found = A.eichler_order(level).class_set().claim_of_newforms(norm=norm).certificate
+    assert found is not None
+    return found
+
+
+def certificate(algebra: int | str, level: int | str = 1, norm: int = 5) -> Certificate:
+    """A copy of a certificate, which may be forged."""
+    return copy.deepcopy(_certificate(algebra, level, norm))
+
+
+def orbits_of(data: Certificate) -> str:
+    return str(data["statement"]).rpartition(";")[2].strip(" }")
+
+
+def restated(data: Certificate, orbits: str) -> Certificate:
+    """The same evidence for other orbits."""
+    front = data["statement"].rpartition(";")[0]
+    return {**data, "statement": f"{front}; {orbits}}}"}
+
+
+@pytest.mark.parametrize(
+    ("algebra", "level", "norm", "orbits"),
+    [
+        (11, 1, 7, "QQ: -2,-1,1,-2"),
+        (2, 1, 3, "none"),
+        (43, 1, 5, "QQ: -2,-2,-4 | QQ[s]/(s^2-2): s,-s,2-s"),
+        (11, 3, 7, "QQ: 1,-2,4"),  # with oldforms of level 11
+        (3, 16, 11, "QQ: -2,0,-4"),  # at a level with squares
+        (
+            2,
+            45,
+            11,
+            "QQ: 2,6,-4,-6 | QQ: 2,-6,-4,6 | QQ: -4,0,2,-6",
+        ),  # a combination tells them apart
+        (f"(-1,-1|{GOLDEN})", "6 + sqrt(5)", 9, "QQ: -3,-2,2"),  # of norm 31
+        ("(-1,-1|QQ(sqrt(3)))", "5", 3, "QQ[s]/(s^4-5*s^2+2): 4*s-s^3,-5*s+s^3"),
+    ],
+)
+def test_true_ones(algebra: int | str, level: int | str, norm: int, orbits: str) -> None:
+    data = certificate(algebra, level, norm)
+    found = established(data)
+    assert orbits_of(data) == orbits
+    assert found.verdict == "proved"
+    assert not found.assumptions
+    assert NEW_FUNCTIONS in found.theorems
+
+
+def test_orbits_of_level_389() -> None:
+    """The polynomial of degree 20 is irreducible modulo none of the first primes."""
+    data = certificate(389, norm=2)
+    assert ["s^20" in field for field in orbits_of(data).split("|")] == [False] * 4 + [True]
+    assert established(data).theorems == (MASS, NEW_FUNCTIONS)
+
+
+def test_where_there_is_none() -> None:
+    C = QuaternionAlgebra(11).maximal_order().class_set()
+    assert C.claim_of_newforms(weight=4).why_no_certificate == (
+        "the checker knows newforms of weight 2 only"
+    )
+    K = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order().class_set()
+    assert "class number 1" in str(K.claim_of_newforms().why_no_certificate)
+
+
+# --- eigenvectors and orbits --------------------------------------------------------------------------
+
+
+def test_another_vector() -> None:
+    for number, j, k in ((0, 0, 0), (1, 2, 1), (1, 3, 0)):
+        data = certificate(43)
+        data["evidence"]["orbits"][number]["vector"][j][k] += 1
+        rejects(data, "no eigenvector|no new function")
+    data = certificate(43)
+    data["evidence"]["orbits"][0]["vector"] = [[0]] * 4
+    rejects(data, "not seen")
+    for change in ([[1]] * 3, [[1, 0]] * 4, [["1"]] * 4, [[0.5]] * 4):
+        data = certificate(43)
+        data["evidence"]["orbits"][0]["vector"] = change
+        rejects(data)
+
+
+def test_the_constant_function_is_no_newform() -> None:
+    data = certificate(11)
+    data["evidence"]["orbits"][0]["vector"] = [[1], [1]]
+    rejects(restated(data, "QQ: 3,4,6"), "no new function")
+
+
+def test_two_rational_forms_are_no_orbit_over_a_product_of_fields() -> None:
+    """Over ℚ[s]/(s² − s) the vector s·v + (1 − s)·w has the eigenvalues s·a + (1 − s)·b."""
+    data = certificate(2, 45, 11)
+    first, second, third = data["evidence"]["orbits"]
+    both = [[y[0], x[0] - y[0]] for x, y in zip(first["vector"], second["vector"], strict=True)]
+    for modulus, name in (([0, -1, 1], "s^2-s"), ([-1, 0, 1], "s^2-1")):
+        ring = {"kind": "number field", "modulus": modulus, "variable": "s"}
+        data["evidence"]["orbits"] = [{"ring": ring, "vector": both}, third]
+        rejects(restated(data, f"QQ[s]/({name}): 2,-6+12*s,-4,6-12*s | QQ: -4,0,2,-6"), "reducible")
+    ring = {"kind": "quotient ring", "base": {"kind": "rationals"}, "variable": "s"}
+    data["evidence"]["orbits"][0]["ring"] = {**ring, "modulus": ["0", "-1", "1"]}
+    rejects(restated(data, "QQ[x]/(x^2-x): 2,-6+12*x,-4,6-12*x | QQ: -4,0,2,-6"))
+
+
+def test_an_orbit_left_out_and_one_that_comes_twice() -> None:
+    data = certificate(43)
+    rational, other = data["evidence"]["orbits"]
+    first, second = orbits_of(data).split(" | ")
+    for orbits, text in (
+        ([rational], first),
+        ([other], second),
+        ([rational] * 3, " | ".join([first] * 3)),
+        ([], "none"),
+    ):
+        data["evidence"]["orbits"] = orbits
+        rejects(restated(data, text), "add up|twice")
+    rejects(restated(data, first), "for each orbit")
+
+
+def test_an_orbit_in_the_field_of_another() -> None:
+    """The same eigenvector with rational eigenvalues, written over a larger field: a subspace too large."""
+    data = certificate(43)
+    rational = data["evidence"]["orbits"][0]
+    larger = {"kind": "number field", "modulus": [-2, 0, 1], "variable": "s"}
+    for a, b in ((1, 0), (0, 1), (1, 1)):
+        vector = [[a * x[0], b * x[0]] for x in rational["vector"]]
+        data["evidence"]["orbits"] = [{"ring": larger, "vector": vector}, rational]
+        rejects(restated(data, "QQ[s]/(s^2-2): -2,-2,-4 | QQ: -2,-2,-4"), "twice")
+
+
+def test_other_eigenvalues_and_fields() -> None:
+    data = certificate(43)
+    orbits = orbits_of(data)
+    for m in re.finditer(r"\d+", orbits):
+        rejects(restated(data, orbits[: m.start()] + str(int(m[0]) + 1) + orbits[m.end() :]))
+    for other in (
+        orbits.replace("-s", "s"),
+        orbits.replace("QQ:", "ZZ:"),
+        orbits.replace("s", "t"),
+        orbits.replace(":", ""),
+        orbits.replace("-4", "-4,1"),
+        orbits.replace("QQ: -2", "QQ: s"),
+        " | ".join(reversed(orbits.split(" | "))),
+    ):
+        rejects(restated(data, other))
+    front = data["statement"]
+    for weight in ("4", "0", "2.0", ""):
+        rejects({**data, "statement": front.replace("; 2; 2,3,5;", f"; {weight}; 2,3,5;")})
+    for primes in ("2,3,7", "2,3", "2,3,5,7", "2,3,9", "43,3,5", "none", "3,2,5"):
+        rejects({**data, "statement": front.replace("; 2; 2,3,5;", f"; 2; {primes};")})
+
+
+# --- operators ----------------------------------------------------------------------------------------
+
+
+def test_ideals_that_are_not_all_neighbours() -> None:
+    def forged(change: Any) -> None:
+        data = certificate(43)
+        change(data["evidence"]["neighbours"][0][1][1])  # those of norm 2 in class 1
+        rejects(data)
+
+    forged(lambda ideals: ideals.pop())
+    forged(lambda ideals: ideals.append(ideals[0]))
+    forged(lambda ideals: ideals.__setitem__(0, ideals[1]))
+    forged(lambda ideals: ideals[0].__setitem__(0, (ideals[0][0] + 1) % 4))  # in another class
+    forged(lambda ideals: ideals[0].__setitem__(0, -1))
+    forged(lambda ideals: ideals[0].__setitem__(1, ["0", "0", "0", "0"]))
+    forged(lambda ideals: ideals[0].__setitem__(1, [f"2*{x}" for x in ideals[0][1]]))
+    forged(lambda ideals: ideals[0].__setitem__(1, ideals[1][1]))
+    forged(lambda ideals: ideals[0].append(1))
+
+
+def test_negative_elements_give_the_same_ideals_and_count_once() -> None:
+    data = certificate(43)
+    ideals = data["evidence"]["neighbours"][0][0][1]
+    j, c = ideals[0]
+    negative = [x.removeprefix("-") if x.startswith("-") or x == "0" else f"-{x}" for x in c]
+    ideals[0] = [j, negative]
+    assert established(data).verdict == "proved"
+    ideals[1] = [j, c]
+    rejects(data, "different ideals")
+
+
+def test_rows_of_operators() -> None:
+    for change in (
+        lambda e: e["neighbours"][0].pop(),  # T_2, which tells the forms apart
+        lambda e: e["neighbours"].pop(),
+        lambda e: e["neighbours"][1].clear(),
+        lambda e: e["neighbours"][0].append(e["neighbours"][0][0]),
+        lambda e: e["neighbours"][0][0].__setitem__(0, 1),
+        lambda e: e.update(operator=[0, 0, 0]),
+        lambda e: e.update(operator=[0, 1, 0]),
+        lambda e: e.update(operator=[1, 0]),
+        lambda e: e.update(modulus=10**9),
+        lambda e: e.update(modulus=2),
+    ):
+        data = certificate(43)
+        change(data["evidence"])
+        rejects(data)
+
+
+def test_an_operator_with_an_eigenvalue_twice() -> None:
+    data = certificate(2, 45, 11)
+    data["evidence"]["operator"] = [1, 0, 0, 0]
+    rejects(data, "twice")
+
+
+def test_a_prime_ideal_is_not_its_conjugate() -> None:
+    data = certificate("(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", 11)
+    places = re.findall(r"\(11, [^)]*\)\S*\)", data["statement"]) or re.findall(
+        r"\(11, [^|;]*\)", data["statement"]
+    )
+    one, other = places
+    swapped = data["statement"].replace(one, "@").replace(other, one).replace("@", other)
+    rejects({**data, "statement": swapped}, "another norm|does not lie")
+    for text in ("(11, 2)", "11", "(11, 0)", "(7, sqrt(5))", "(31, sqrt(5)-25)"):
+        rejects({**data, "statement": data["statement"].replace(one, text)})
+
+
+# --- oldforms -----------------------------------------------------------------------------------------
+
+
+def test_an_oldform_is_not_called_new() -> None:
+    """Level 33 has two old functions with the eigenvalues of level 11."""
+    from flint import fmpz_mat
+
+    data = certificate(11, 3)
+    C = QuaternionAlgebra(11).eichler_order(3).class_set()
+    T = fmpz_mat(C.brandt_matrix(2))
+    shifted = T + 2 * fmpz_mat([[int(i == j) for j in range(4)] for i in range(4)])
+    kernel, rank = shifted.nullspace()
+    assert rank == 2
+    old = [[int(kernel[i, 0])] for i in range(4)]
+    evidence, new = data["evidence"], data["evidence"]["orbits"][0]
+    ring = {"kind": "rationals"}
+    stated = restated(data, "QQ: -2,1 | QQ: 1,-2")
+    evidence["orbits"] = [{"ring": ring, "vector": old}, new]
+    rejects(stated, "no new function|no eigenvector")
+    for above in ([], evidence["above"][:1], [evidence["above"][0]] * 2):
+        evidence["above"] = above
+        rejects(stated)
+        evidence["orbits"] = [new]
+        rejects(data, "two orders above")
+        evidence["orbits"] = [{"ring": ring, "vector": old}, new]
+
+
+def test_orders_above_and_their_ideals() -> None:
+    for change in (
+        lambda e: e["above"].append(e["above"][0]),
+        lambda e: e["above"][0].update(order=e["above"][1]["order"]),
+        lambda e: e["above"][0]["order"]["rows"][0].__setitem__(0, 7),
+        lambda e: e["above"][0]["order"].update(den=e["above"][0]["order"]["den"] * 3),
+        lambda e: e["above"][0]["ideals"].pop(),
+        lambda e: e["above"][0]["ideals"][0].pop(),
+        lambda e: e["above"][0]["ideals"][0].__setitem__(0, e["above"][0]["ideals"][0][1]),
+        lambda e: e["above"][0]["ideals"].clear(),
+        lambda e: e["above"][0].update(ideals=e["above"][1]["ideals"]),
+        lambda e: e["above"].append({"order": e["classes"][0], "ideals": []}),
+    ):
+        data = certificate(11, 3)
+        change(data["evidence"])
+        rejects(data)
+
+
+def test_an_order_that_is_no_eichler_order() -> None:
+    """ℤ + 2·O has class sets, and no newforms."""
+    A = QuaternionAlgebra(3)
+    order = A.order([A(1), *(2 * x for x in A.maximal_order().basis[1:])])
+    classes = order.class_set().claim
+    data = certificate(3, norm=5)
+    evidence = {**data["evidence"], "classes": classes.evidence["classes"]}
+    whole = classes.statement.partition("{")[2].rpartition(";")[0]
+    rejects(
+        {**data, "statement": f"newforms{{{whole}; 2; 5; none}}", "evidence": evidence},
+        "Eichler order",
+    )
+
+
+def test_theorems_and_verdicts() -> None:
+    data = certificate(11)
+    for assumes in ([], [MASS], [NEW_FUNCTIONS]):
+        rejects({**data, "assumes": assumes}, "assumes")
+    rejects({**data, "verdict": "refuted"})
+    rejects({**data, "method": "mass"})
+    for key in data["evidence"]:
+        rejects({**data, "evidence": {k: v for k, v in data["evidence"].items() if k != key}})
