@@ -1,4 +1,4 @@
-"""Forge certificates of class groups, units, class sets, embeddings, groups of units; see that no lie passes.
+"""Forge certificates about class groups, units, orders, their classes and newforms; see that no lie passes.
 
     python scripts/forge_arithmetic.py [--seconds 60] [--seed 0]
 
@@ -9,6 +9,7 @@ is true. Exit status 1 when a false one passes; an error that is no rejection en
 
 import argparse
 import random
+import re
 import sys
 import time
 from collections import Counter
@@ -30,6 +31,13 @@ INDEFINITE = ((3, -1, 1), (1, 1, 1), (1, 1, 6), (-1, 3, 5), (5, 2, 1))
 OVER_FIELDS = ("(-1,sqrt(5)|QQ(sqrt(5)))", "(-1+s-s^2,1+3*s+s^2|QQ[s]/(s^3+s^2-2*s-1))")
 DEFINITE = ("QQ(sqrt(5))", "QQ(sqrt(17))", "QQ(sqrt(29))", "QQ[s]/(s^3-s^2-2*s+1)")
 
+NEWFORMS = (
+    (43, 1, 5),
+    (11, 3, 7),
+    (2, 45, 7),
+    (3, 16, 7),
+    ("(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", 5),
+)
 POLYNOMIALS = (
     ("GF(3)(t)", "t^3+2*t+1", 1),
     ("GF(2)(t)", "t^3+t+1", "t"),
@@ -55,6 +63,9 @@ def genuine() -> list[dict[str, Any]]:
     for name in DEFINITE:
         A = QuaternionAlgebra(name, -1, -1)
         found += [O.class_set().certificate for O in (A.maximal_order(), A.order(["i", "j"]))]
+    for algebra, level, norm in NEWFORMS:
+        C = QuaternionAlgebra(algebra).eichler_order(level).class_set()
+        found.append(C.claim_of_newforms(norm=norm).certificate)
     for name, prime, level in POLYNOMIALS:
         A = QuaternionAlgebra.from_ramification(name, [prime, "inf"])
         O = A.eichler_order(level)
@@ -70,7 +81,10 @@ def genuine() -> list[dict[str, Any]]:
 def changed(rng: random.Random, value: Any) -> Any:
     """Return a copy of JSON data with one change at one place."""
     if isinstance(value, dict):
-        key = rng.choice([k for k in value if k != "kind"])
+        keys = [k for k in value if k != "kind"]
+        if not keys:
+            return {"kind": "integers"}
+        key = rng.choice(keys)
         return {**value, key: changed(rng, value[key])}
     if isinstance(value, list) and value:
         n, m, how = rng.randrange(len(value)), rng.randrange(len(value)), rng.randrange(10)
@@ -130,6 +144,18 @@ def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
     elif word == "embedding-orbits":
         for n in (int(parts[2]) + 2, int(parts[2]) - 2, 2 * int(parts[2])):
             yield f"{word}{{{parts[0]}; {parts[1]}; {n}}}"
+    elif word.startswith("newforms"):
+        orbits = parts[3].split(" | ")
+        m = rng.choice(list(re.finditer(r"\d+", parts[3])))
+        wrong = rng.choice([int(m[0]) + 1, 2 * int(m[0]) + 3, 0])
+        for text in (
+            f"{parts[3][: m.start()]}{wrong}{parts[3][m.end() :]}",
+            " | ".join(orbits[1:]) or "none",
+            " | ".join([*orbits, orbits[0]]),
+            "QQ: " + ",".join("3468"[: orbits[0].count(",") + 1]),
+        ):
+            if text != parts[3]:
+                yield f"{word}{{{'; '.join([*parts[:3], text])}}}"
     elif word.startswith("dirichlet-domain"):
         units = parts[2].split(" | ")
         yield f"{word}{{{'; '.join([*parts[:2], ' | '.join(units[1:])])}}}"

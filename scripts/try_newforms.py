@@ -3,10 +3,10 @@
     python scripts/try_newforms.py [--below 301] [--from 2] [--weights 2 12] [--seconds 600] [--orbits 20]
         [--log FILE]
 
-Each level is written in every way as D·N, with D a product of an odd number of primes that do not divide
-N. The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If one of
-them is squarefree, the degrees of its factors are those of the orbits. If the subspace has at most ``--orbits``
-dimensions, the orbits are compared with ``mfsplit`` too, by the minimal polynomials of these four eigenvalues.
+Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
+The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If one
+is squarefree, the degrees of its factors are those of the orbits. If the subspace has at most ``--orbits``
+dimensions, the orbits are compared with ``mfsplit`` too, by the minimal polynomials of these eigenvalues.
 
 Small level·(weight − 1) come first. With ``--log`` each level and weight compared is written to the file, and
 those already in it are passed over. Ends when all are compared or the time is over. Exit status 1 if a
@@ -130,15 +130,16 @@ def main() -> int:
         mine += time.monotonic() - middle
         compared += 1
         if args.log:
+            depth = "orbits" if has_orbits else "polynomials" if degrees is None else "degrees"
             with args.log.open("a") as log:
                 log.write(
-                    f"{level} {k} dimension {dimension}, {'orbits' if has_orbits else 'degrees' if degrees is not None else 'polynomials'}, "
-                    f"{failures - differences} differ, {middle - start:.1f} s PARI, "
-                    f"{time.monotonic() - middle:.1f} s here\n"
+                    f"{level} {k} dimension {dimension}, {depth}, {failures - differences} differ, "
+                    f"{middle - start:.1f} s PARI, {time.monotonic() - middle:.1f} s here\n"
                 )
     print(
         f"{compared} of {len(pairs)} levels and weights: {spaces} new subspaces, "
-        f"{orbit_spaces} of them with degrees of orbits, {failures} differ; {mine:.0f} s here, {its:.0f} s PARI"
+        f"{orbit_spaces} of them with degrees of orbits, {failures} differ; {mine:.0f} s here, "
+        f"{its:.0f} s PARI"
     )
     return 1 if failures else 0
 

@@ -102,6 +102,14 @@ def test_json(capsys):
     assert len(data["characteristic_polynomial"]) == 4
 
 
+def test_newforms_are_certified(capsys, tmp_path):
+    file = str(tmp_path / "newforms.json")
+    page(capsys, "newforms", "43", "--primes", "5", "--certificate", file)
+    assert "QQ: -2,-2,-4 | QQ[s]/(s^2-2): s,-s,2-s" in page(capsys, "check", file)
+    assert main(["newforms", "3", "--level", "5", "--weight", "4", "--certificate", file]) == 0
+    assert "weight 2 only" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "words",
     [
