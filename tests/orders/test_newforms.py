@@ -6,6 +6,7 @@ import pytest
 from flint import fmpz_poly
 
 from hfield import LatticeError, QuaternionAlgebra, ring
+from tests.orders.hilbert_traces import Field, published
 from tests.subcases import first_quick
 
 PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37]
@@ -118,11 +119,52 @@ def test_known_spaces_over_the_golden_field() -> None:
             found.append((norm, C.cusp_dimension(), C.new_dimension()))
         assert found == known
         assert len(C) == 32
-    # the curve of conductor norm 31: reductions counted by hand
-    (f,) = A.eichler_order([(P31, 1)]).class_set().newforms()
-    assert (f[2], f[K.primes_above(5)[0]], f[3], f[7]) == (-3, -2, 2, 2)
-    assert {f[P] for P in K.primes_above(11)} == {4, -4}
-    assert f.eigenvalues(2) == {K.primes_above(2)[0]: -3, K.primes_above(5)[0]: -2}
+
+
+# Eigenvalues of 2.2.5.1-31.1-a in the LMFDB, by the norms of primes.
+LMFDB_31 = {
+    4: [-3], 5: [-2], 9: [2], 11: [4, -4], 19: [-4, 4], 29: [-2, -2], 31: [-1, 8], 41: [-6, -6],
+    49: [2], 59: [12, -4], 61: [6, -2], 71: [0, -8], 79: [0, 16], 89: [-6, 10], 101: [6, -10],
+    109: [6, -10], 131: [-20, 4], 139: [4, -20], 149: [6, -10], 151: [8, 16],
+}  # fmt: skip
+
+
+def trace_of_frobenius(p: int, r: int, n: int) -> int:
+    """N(P) + 1 less the points of y² + xy + φy = x³ + (φ + 1)x² + φx, φ being r in GF(p), or in GF(p²)."""
+    field = [(a, b) for a in range(p) for b in (range(p) if n == 2 else (0,))]
+    phi = (0, 1) if n == 2 else (r, 0)
+
+    def times(x: tuple[int, int], y: tuple[int, int]) -> tuple[int, int]:
+        (a, b), (c, d) = x, y
+        return (a * c + b * d) % p, (a * d + b * c + b * d) % p
+
+    def plus(*terms: tuple[int, int]) -> tuple[int, int]:
+        return sum(a for a, _ in terms) % p, sum(b for _, b in terms) % p
+
+    # y·(y + x + φ) = x·(x·(x + φ + 1) + φ)
+    affine = sum(
+        times(y, plus(y, x, phi)) == times(x, plus(times(x, plus(x, phi, (1, 0))), phi))
+        for x in field
+        for y in field
+    )
+    return len(field) - affine
+
+
+def test_the_curve_of_conductor_31() -> None:
+    """At primes of both degrees: points counted, and the table of the LMFDB."""
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    golden = (1 + A.ring.gen) / 2
+    level = next(P for P in A.ring.primes_above(31) if 5 * golden - 2 in P)
+    (f,) = A.eichler_order([(level, 1)]).class_set().newforms()
+    found: dict[int, list[int]] = {}
+    for P, a in f.eigenvalues_up_to(151).items():
+        found.setdefault(P.norm(), []).append(a)
+        if P.norm() <= 49 and P != level:
+            r = next((r for r in range(P.p) if golden - r in P), 0)
+            assert a == trace_of_frobenius(P.p, r, 2 if P.is_inert else 1)
+    assert {q: sorted(some) for q, some in found.items()} == {
+        q: sorted(some) for q, some in LMFDB_31.items()
+    }
 
 
 def test_signs_at_the_level_agree_with_ideals_of_that_norm() -> None:
@@ -175,6 +217,22 @@ def test_level_one_over_the_golden_field() -> None:
     assert [C.cusp_dimension(k) for k in (2, 4, 6, 8)] == [0, 0, 1, 1]
     (f,) = C.newforms(weight=6)
     assert (f[2], f[3]) == (20, 90)
+
+
+@pytest.mark.parametrize(
+    ("discriminant", "level", "weight"),
+    first_quick(
+        [
+            *((5, 1, 6), (5, 1, 8), (5, 2, 4), (5, 5, 4), (8, 2, 4), (12, 1, 4), (40, 1, 2)),
+            *((5, 1, 10), (5, 1, 12), (5, 2, 8), (5, 4, 4), (8, 3, 4), (13, 2, 4), (60, 1, 2)),
+        ],
+        7,
+    ),
+)
+def test_published_traces(discriminant: int, level: int, weight: int) -> None:
+    """Of T₁, …, T₅ over real quadratic fields; those of 12, 40 and 60 have several narrow classes."""
+    expected = published()[discriminant][level, weight]
+    assert Field(discriminant).traces(level, weight) == expected
 
 
 def test_base_change() -> None:
