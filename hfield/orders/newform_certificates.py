@@ -47,7 +47,7 @@ def of_newforms(module: Module, norm: int) -> CertifiedClaim:
     if module.weight != 2:
         refusal = "the checker knows newforms of weight 2 only"
     elif module.base.is_polynomial or module.base.class_generators:
-        refusal = "the checker knows newforms over QQ and over fields of class number 1"
+        refusal = "the checker knows newforms over QQ and over number fields of class number 1"
     return _Shown(module, norm).claim(refusal)
 
 
@@ -57,7 +57,6 @@ class _Shown:
     def __init__(self, module: Module, norm: int) -> None:
         self.module, self.forms = module, module.newforms
         self.classes, self.ambient = module.classes, module.classes.ambient
-        self.elements = ClassElements(self.classes)
         self.size = len(self.classes)
         self.operator = dict(zip(*self.forms[0].operator, strict=True)) if self.forms else {}
         bad = {P for P, _ in module.level} | set(module.ramified)
@@ -104,13 +103,18 @@ class _Shown:
 
     # --- ideals ------------------------------------------------------------------------------------------
 
+    @cached_property
+    def _elements(self) -> ClassElements:
+        """The elements between ideals of one class."""
+        return ClassElements(self.classes)
+
     def _json(self, ideals: list[Ideal]) -> list[object]:
         return [[j, certificates.element_json(self.ambient, c)] for j, c in ideals]
 
     def _neighbours(self, i: int, prime: Prime) -> list[Ideal]:
         """Return the ideals of relative norm P in class i."""
         volume = _volume(self.classes.lattice(i)) * self.module.absolute_norm(prime) ** 2
-        return [self._scaled(*found, volume) for found in self.elements.neighbours(i, prime)]
+        return [self._scaled(*found, volume) for found in self._elements.neighbours(i, prime)]
 
     def _scaled(self, j: int, row: list[fmpz], volume: Fraction) -> Ideal:
         """Return a class and a rational multiple of an element with a c·I_j of a volume."""
