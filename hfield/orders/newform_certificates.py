@@ -2,12 +2,12 @@
 
 An orbit is shown by an eigenvector with values in its field. Let g be the polynomial of the eigenvalue α of
 an operator T on the orbit, and h that of its other eigenvalues. Then (g(x) − g(T))/(x − T)·h(T)·u is an
-eigenvector at x = α, for every function u whose image under h(T) is not 0.
+eigenvector at x = α, for every function u whose image under h(T) is not 0, as it is for one at least of the
+functions that are 1 at one class and 0 at the others.
 """
 
 from __future__ import annotations
 
-import random
 from collections import Counter
 from fractions import Fraction
 from functools import cached_property
@@ -163,14 +163,9 @@ class _Shown:
 
     def _eigenvector(self, form: Newform) -> fmpz_mat:
         """Return an eigenvector: for each class coefficients of powers of the generator of the field."""
-        g, T = form.polynomial, self._matrix
-        rng = random.Random(1)
-        start = fmpz_mat(self.size, 1, [rng.randrange(-9, 10) for _ in range(self.size)])
-        w = fmpz_mat(self.size, 1)
-        for c in reversed((self._polynomial // g).coeffs()):
-            w = T * w + start * c
-        d = form.degree
-        powers = [w]
+        g, T, d = form.polynomial, self._matrix, form.degree
+        images = (self._image(self._polynomial // g, i) for i in range(self.size))
+        powers = [next(w for w in images if any(w.entries()))]
         for _ in range(1, d):
             powers.append(T * powers[-1])
         krylov = fmpz_mat([[int(x) for x in v.entries()] for v in powers])
@@ -189,6 +184,14 @@ class _Shown:
             power = power * alpha
         found = fmpq_mat(values) * scale * fmpq_mat(change)
         return found.numer_denom()[0]
+
+    def _image(self, h: fmpz_poly, i: int) -> fmpz_mat:
+        """Return the image of the function that is 1 at class i, 0 elsewhere, under h(T)."""
+        start = fmpz_mat(self.size, 1, [int(i == j) for j in range(self.size)])
+        found = fmpz_mat(self.size, 1)
+        for c in reversed(h.coeffs()):
+            found = self._matrix * found + start * c
+        return found
 
     def _rows(self, prime: Prime, vectors: list[fmpz_mat]) -> list[int]:
         """Return classes at which a Hecke operator is to be given: some at which no eigenvector is 0."""

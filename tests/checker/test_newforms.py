@@ -210,6 +210,7 @@ def test_rows_of_operators() -> None:
         lambda e: e.update(operator=[0, 1, 0]),
         lambda e: e.update(operator=[1, 0]),
         lambda e: e.update(modulus=10**9),
+        lambda e: e.update(modulus=2**127 - 1),
         lambda e: e.update(modulus=2),
     ):
         data = certificate(43)

@@ -289,3 +289,17 @@ def test_other_orders_have_no_level() -> None:
     C = QuaternionAlgebra("QQ", -1, -1).order(["i", "j"]).class_set()
     with pytest.raises(LatticeError, match="Eichler"):
         C.cusp_dimension()
+
+
+@pytest.mark.parametrize(("level", "weight"), [("7", 2), ("3 + sqrt(2)", 4)])
+def test_eigenvalues_are_bounded(level: str, weight: int) -> None:
+    """All conjugates of a_P are real, and 2·N(P)^((k − 1)/2) at most (Deligne, Blasius)."""
+    A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1)
+    forms = A.eichler_order(level).class_set().newforms(weight=weight)
+    assert forms
+    for f in forms:
+        for P in list(f.eigenvalues(8)):
+            bound = 4 * P.norm() ** (weight - 1)
+            for a, _ in fmpz_poly(f.minimal_polynomial(P)).complex_roots():
+                assert a.imag == 0
+                assert a.real**2 <= bound
