@@ -24,9 +24,9 @@ Level = tuple[tuple[Any, int], ...]
 
 def published() -> dict[int, dict[tuple[int, int], list[int]]]:
     """By the discriminant, then by the level and the weight, the traces at 1, …, 5."""
-    found = json.loads(FILE.read_text(encoding="utf-8"))["traces"]
+    cases = json.loads(FILE.read_text(encoding="utf-8"))["cases"]
     keys = list(product(LEVELS, WEIGHTS))
-    return {int(d): dict(zip(keys, rows, strict=True)) for d, rows in found.items()}
+    return {case["discriminant"]: dict(zip(keys, case["traces"], strict=True)) for case in cases}
 
 
 class Field:
