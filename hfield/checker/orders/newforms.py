@@ -259,27 +259,33 @@ class Orbit:
         power, sums = field.one, []
         for _ in range(field.degree):
             power = field.mul(power, x)
-            sums.append(sum((c * t for c, t in zip(power, self._traces, strict=True)), Fraction(0)))
+            sums.append(_dot(power, self._traces))
         return _by_power_sums(sums)
 
     @cached_property
     def _traces(self) -> list[Fraction]:
         """The traces of 1, s, s², …"""
-        field, found = self.field, [Fraction(self.field.degree)]
-        spend(field.degree**2)
-        for k in range(1, field.degree):
-            # Σ e_m·t_(k−m) + k·e_k = 0 for the coefficients e_m of degree n − m
-            e = [field.modulus[field.degree - m] for m in range(1, k + 1)]
-            found.append(-sum(e[m - 1] * found[k - m] for m in range(1, k)) - k * e[k - 1])
+        e = self.field.modulus[::-1]
+        found = [Fraction(self.field.degree)]
+        for k in range(1, self.field.degree):
+            # t_k + e₁·t_(k−1) + … + e_(k−1)·t₁ + k·e_k = 0 for the coefficients e_m of degree n − m
+            found.append(-_dot([*e[1:k], e[k]], [*found[:0:-1], Fraction(k)]))
         return found
+
+
+def _dot(xs: Sequence[Fraction], ys: Sequence[Fraction]) -> Fraction:
+    """Return Σ x·y."""
+    found = Fraction(0)
+    for x, y in zip(xs, ys, strict=True):
+        found = QQ.add(found, QQ.mul(x, y))
+    return found
 
 
 def _by_power_sums(sums: Sequence[Fraction]) -> list[int]:
     """Return the monic polynomial whose roots have these power sums, low degree first."""
     e = [Fraction(1)]
     for k in range(1, len(sums) + 1):
-        spend(k)
-        e.append(-sum((e[k - m] * sums[m - 1] for m in range(1, k + 1)), Fraction(0)) / k)
+        e.append(-_dot(e, sums[k - 1 :: -1]) / k)
     if any(c.denominator != 1 for c in e):
         reject("an eigenvalue is no integer of its field")
     return [int(c) for c in reversed(e)]
