@@ -48,10 +48,10 @@ def of_newforms(module: Module, norm: int) -> CertifiedClaim:
         refusal = "the checker knows newforms of weight 2 only"
     elif module.base.is_polynomial or module.base.class_generators:
         refusal = "the checker knows newforms over QQ and over number fields of class number 1"
-    return _Shown(module, norm).claim(refusal)
+    return _NewformEvidence(module, norm).claim(refusal)
 
 
-class _Shown:
+class _NewformEvidence:
     """What shows the newforms of a module."""
 
     def __init__(self, module: Module, norm: int) -> None:
@@ -67,7 +67,7 @@ class _Shown:
 
     def claim(self, refusal: str | None) -> CertifiedClaim:
         """Return the statement with its evidence, which is left out where the checker is not asked."""
-        shown = {} if refusal else self._evidence()
+        shown = {} if refusal else self._data()
         stated = [
             f"{f.field.name}: {','.join(f.field.text(f.eigenvalue(P)) for P in self.primes)}"
             for f in self.forms
@@ -75,7 +75,7 @@ class _Shown:
         parts = str(self.module.weight), " | ".join(stated) or "none"
         return certificates.of_newforms(self.classes, self.primes, parts, shown, refusal)
 
-    def _evidence(self) -> dict[str, object]:
+    def _data(self) -> dict[str, object]:
         vectors = list(map(self._eigenvector, self.forms))
         neighbours = [
             [[i, self._json(self._neighbours(i, P))] for i in self._rows(P, vectors)]
