@@ -250,6 +250,7 @@ class OverField(Given):
             whole = entry.strip()
             first, *others = split(whole[1:-1] if whole.startswith("(") else whole, ",")
             p = a_whole_number(first, "the first generator of a prime ideal")
+            above = self.primes.at(p)
             rows: list[Row] = []
             for value in others:
                 den, row = self.algebra.integers.coordinates(
@@ -259,7 +260,7 @@ class OverField(Given):
                     reject("a generator of a prime ideal is no integer of the field")
                 rows += self.algebra.integers.matrix(row)
             span = echelon(rows, p) if rows else []
-            P = next((P for P in self.primes.at(p) if P.span == span), None)
+            P = next((P for P in above if P.span == span), None)
             if P is None:
                 reject(f"{shown(whole)!r} is no prime ideal that is given")
             found.append(P)
