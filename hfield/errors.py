@@ -123,7 +123,7 @@ class UndecidedError(HFieldError, ArithmeticError):
     """
 
 
-class AbsentError(HFieldError, AttributeError):
+class AbsentError(UndecidedError, AttributeError):
     """An attribute that others of the class have and this object lacks, such as a generator.
 
     It is an AttributeError, so that ``getattr`` with a default and ``hasattr`` work.

@@ -38,6 +38,7 @@ _KEYWORDS = frozenset(("and", "or", "not", "exists"))
 _WORDS = frozenset(["pi", "exp", "sqrt", "tr", "re", "sp", "true", "every", "set", "yet"])
 MAX_SPLIT = 4  # letters of a word that is read as a product, unless it consists of e, i, j and k
 _LOGIC = ("=>", "<=>", ":", *_KEYWORDS)
+_TYPED_COMPARISON = re.compile(r"[=<>!]+")
 _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![\w.]))?)"
@@ -218,7 +219,9 @@ class _ProductWriter:
             if not side.text:
                 place = signs[max(n - 1, 0)].place
                 where = "after" if n else "before"
-                self.fail(f"expected a number, a name or '(' {where} {self.source[place]!r}", place)
+                sign = _TYPED_COMPARISON.match(self.source, place)
+                shown = sign[0] if sign else self.source[place]
+                self.fail(f"expected a number, a name or '(' {where} {shown!r}", place)
             if side.text[-1] in "+-*/^":
                 self.fail(
                     f"expected a number, a name or '(' after {side.text[-1]!r}", side.places[-1]

@@ -224,7 +224,7 @@ def _power(found: re.Match[str]) -> tuple[str, ...]:
     """
     if "⁻" in found[1][1:] or found[1] == "⁻":
         raise NotationError(
-            f"{shorten(found[1])} is no integer: an exponent is one, such as ² or ⁻¹"
+            f"{shorten(found[1])} is not an integer: expected an exponent such as ² or ⁻¹"
         )
     return ("**" + found[1].translate(_TO_DIGITS), " " if found[2] else "")
 
