@@ -21,7 +21,7 @@ STANDING = 0.02
 
 @dataclass(frozen=True, eq=False)
 class ApparentSpin:
-    """The spin from each frame to the next and what is seen of it: arrays (frames − 1,), in radians."""
+    """The true and the apparent spin between frames: arrays (frames − 1,), in radians."""
 
     true: Floats
     """How far the top turns about its own axis."""
@@ -32,7 +32,7 @@ class ApparentSpin:
 
     @property
     def standing(self) -> NDArray[np.bool_]:
-        """Where the top turns by a period or more, nearly, and the bands seem to stand."""
+        """Frames in which the top turns by about a whole period, so that the bands seem to stand."""
         still = np.abs(self.seen) < STANDING * self.period
         return still & (np.abs(self.true) > self.period / 2)
 
@@ -43,11 +43,11 @@ class ApparentSpin:
 
     @property
     def misleading(self) -> bool:
-        """Whether there is anything to say."""
+        """Whether the film shows a spin other than the true one."""
         return bool(np.any(self.standing | self.backwards))
 
     def message(self) -> str:
-        """Return what is to be seen, in a sentence; empty where the bands turn as the top does."""
+        """Return a sentence about the apparent spin; empty where the bands turn as the top does."""
         if not self.misleading:
             return ""
         parts = [

@@ -1,4 +1,4 @@
-"""Attitudes, many at once: what the motions need beyond the conversions of :mod:`rotation`.
+"""Arrays of attitudes: functions that motions need and :mod:`rotation` does not have.
 
 Quaternions are scalar first, (…, 4), matrices (…, 3, 3).
 """

@@ -12,7 +12,7 @@ T = TypeVar("T", covariant=True)
 
 
 class Catalogue(Mapping[str, T]):
-    """The things called ``attribute`` in the modules of a package, by the modules' names.
+    """The objects named ``attribute`` in the modules of a package, by module name.
 
     Names are read from the folder; a module is imported when its thing is first asked for. A new file in
     the folder is a new entry, and nothing else has to know of it.

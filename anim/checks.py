@@ -1,4 +1,4 @@
-"""Checks of the numbers that users give, said once."""
+"""Checks of numbers in user input."""
 
 from collections.abc import Collection
 from math import isfinite

@@ -1,4 +1,4 @@
-"""Loops in Python made into machine code by numba, kept on disk, and run without numba.
+"""Compile Python loops with numba, cache the machine code on disk, and run it without numba.
 
 The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow. To
 import numba takes a second: it is imported only for what is not in `hfield.compiling.disk_cache`. A kernel
@@ -37,7 +37,7 @@ def called(function: F) -> F:
 
 
 class CompiledFunction:
-    """A function of arrays in one piece, numbers, and tuples of these; it returns a float or nothing."""
+    """A compiled function of contiguous arrays, numbers and tuples of these; it returns a float or None."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         assert isinstance(function, FunctionType)

@@ -120,7 +120,7 @@ def read_motion(path: str | Path) -> Recorded:
 
 @dataclass(frozen=True, eq=False)
 class Function:
-    """The sampler that calls a function of one instant."""
+    """A sampler that calls a function of one instant."""
 
     function: Callable[[float], Any]
 

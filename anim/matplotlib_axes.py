@@ -74,7 +74,9 @@ class Surface3D(PolyCollection):
         self._colours = [pair[mesh.keys] for pair in colours]
 
     def do_3d_projection(self) -> float:
-        """Project the faces as the axes are seen now; return the depth by which artists are sorted."""
+        """Project the faces with the current view of the axes; return the depth by which artists are
+        sorted.
+        """
         view = View(_towards_eye() @ self.axes.M @ self._motion)  # type: ignore[union-attr]
         seen = view.project(self._points)
         faces, colours = [], []

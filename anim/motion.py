@@ -27,7 +27,7 @@ APART = 2e-5
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """What physics knows of each frame; arrays (frames,), read-only."""
+    """Physical quantities of each frame; arrays (frames,), read-only."""
 
     energies: Floats
     """Kinetic and potential energy in J, the potential 0 at the height of the tip."""
@@ -45,7 +45,8 @@ class Record:
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """How the top stands in each frame of a film. Immutable; made by :meth:`sample` or :meth:`through`.
+    """The attitude and place of the top in each frame of a film. Immutable; made by :meth:`sample` or
+    :meth:`through`.
 
     Attitudes turn the model's coordinates into space; the ground is z = 0.
 
@@ -74,7 +75,7 @@ class Motion:
         record: Record | None = None,
         places: Sampler | None = None,
     ) -> "Motion":
-        """Return the motion whose attitude at each instant ``sampler`` gives, and its place ``places``."""
+        """Return the motion with attitudes from ``sampler`` and places from ``places``."""
         quaternions, matrices = _both(sampler(clip.times))
         for values in (quaternions, matrices):
             values.flags.writeable = False

@@ -1,4 +1,4 @@
-"""Outlines of tops: checked, read from a file, and with fewer points where those do not show."""
+"""Outlines of tops: check them, read them from a file, and simplify them."""
 
 from collections.abc import Callable, Iterable
 from itertools import pairwise
@@ -76,7 +76,7 @@ def read_outline(path: str | Path) -> Profile:
 
 
 def simplified(profile: Profile, tolerance: float) -> Profile:
-    """Return the outline with as few of its points as keep within ``tolerance`` of it.
+    """Return the outline with as few points as stay within ``tolerance`` of it.
 
     D. Douglas and T. Peucker, "Algorithms for the reduction of the number of points", Cartographica 10, 1973.
 

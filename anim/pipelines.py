@@ -1,4 +1,4 @@
-"""Four ways to the same motion (section 3.4): strategies over one timeline, and how far apart they come.
+"""Four pipelines that compute the same motion (section 3.4), and their differences.
 
 Each pipeline makes of the parameters a unit quaternion or a matrix an instant, by the arithmetic that the
 thesis gives it; the turned points of a top are these times its points.
@@ -34,7 +34,7 @@ def _spin_and_tilt(reading: Timeline, now: Instants) -> tuple[Floats, Floats]:
 
 
 def two_rotations(reading: Timeline, now: Instants) -> Floats:
-    """Turn by one quaternion and then by the other (3.4.1, spin3d): matrices of what becomes of the basis."""
+    """Rotate by one quaternion and then by the other (3.4.1, spin3d); return matrices."""
     first, second = (q[:, None, :] for q in _spin_and_tilt(reading, now))
     turned = np.asarray(T_q(second, T_q(first, np.eye(3))))
     return np.swapaxes(turned, -1, -2)
@@ -101,7 +101,7 @@ def kinematic(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PipelineComparison:
-    """How far apart the pipelines come; in radians."""
+    """The largest differences between the pipelines, in radians."""
 
     names: tuple[str, ...]
     attitudes: Floats
@@ -136,7 +136,7 @@ class PipelineComparison:
 
 
 def compare(clip: Clip | None = None, reading: Timeline | None = None) -> PipelineComparison:
-    """Return how far the four pipelines come apart, over the frames of ``clip``.
+    """Return the largest differences between the four pipelines over the frames of ``clip``.
 
     >>> compare().agree("quaternions", "matrix"), compare().agree("product", "euler")
     (True, False)

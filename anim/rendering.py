@@ -84,7 +84,7 @@ class Track:
 
     @property
     def is_long(self) -> bool:
-        """Whether the path is so long that the top would be small in a picture of the whole path."""
+        """Whether the top would be small in a picture that shows its whole path."""
         return bool(np.ptp(self.centres, axis=0).max() > MAX_UNFOLLOWED_EXTENTS * self._extent)
 
     def at(self, time: float) -> tuple[float, float]:
@@ -123,11 +123,11 @@ class Scene:
             strip(self.settings.size, self.captions, self.motion.name)  # refuses what is too small
 
     def task(self, number: int) -> FrameTask:
-        """Return what it takes to draw one frame; small, so that it travels to another process."""
+        """Return the data to draw one frame, small enough to send to another process."""
         return self._task(float(self.motion.times[number]), self.motion.matrices[number][None])
 
     def task_at(self, time: float) -> FrameTask:
-        """Return what it takes to draw the picture at an instant in seconds of the motion.
+        """Return the data to draw the picture at an instant, in seconds of the motion.
 
         At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
         outside the motion.
@@ -225,7 +225,7 @@ class Scene:
 
     @cached_property
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The apex's path as far as a picture can show it: instants (k,) and points (k, 3).
+        """The path of the apex at the resolution of the picture: instants (k,) and points (k, 3).
 
         The path is also computed between frames if there are few. Points whose absence cannot be seen are
         left out, so that the cost of a frame does not grow with the length of the film.
@@ -284,7 +284,7 @@ def draw(task: FrameTask) -> Pixels:
 
 
 class _Painters(local):
-    """The painters of a thread, kept from one frame to the next: each draws on a canvas of its own."""
+    """The painters of a thread, reused for every frame; each has its own canvas."""
 
     def __init__(self) -> None:
         self.painter = lru_cache(maxsize=2)(painter)

@@ -78,7 +78,7 @@ def top(language: str) -> Chapter:
 
 
 def _still(top: Top) -> str:
-    """Draw one frame, which stands for the top where nothing can move; PNG in base 64."""
+    """Draw one frame for print; PNG in base 64."""
     from PIL import Image
 
     from hfield.plotting import import_matplotlib

@@ -1,4 +1,4 @@
-"""The thesis's motion (section 3.4): what its parameters are at each instant, and how its text is read.
+"""The motion of the thesis (section 3.4): its parameters at each instant, and its text form.
 
 A film runs from progress 0 to 1. On the way the axis turns 16 times about the vertical while it leaves
 it, and the speed of the spin falls. ``docs/reference/top.md`` says where the text is ambiguous, and why the

@@ -136,7 +136,7 @@ class Top:
         return _scene(self.model, self.motion, settings)
 
     def show(self) -> None:
-        """Display the top in a notebook; elsewhere it is written as a page and opened in the browser."""
+        """Display the top in a notebook; outside one, write it as a page and open the browser."""
         try:
             from IPython import get_ipython
         except ImportError:
@@ -158,7 +158,7 @@ class Top:
         webbrowser.open(Path(file.name).as_uri())
 
     def _repr_html_(self) -> str:
-        """Return a frame of its own, so that the page and the notebook leave each other alone."""
+        """Return an inline frame, so that the page and the notebook do not affect each other."""
         return (
             f'<iframe srcdoc="{escape(self.page())}" title="A spinning top" '
             f'style="width: 100%; height: {FRAME_HEIGHT}px; border: 0"></iframe>'

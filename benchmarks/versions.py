@@ -193,7 +193,7 @@ def elements_of_prime_norm(O: Any, K: Any) -> Iterator[tuple[int, Any]]:
 
 
 def worker(over: str) -> None:
-    """Time what is asked for on the input, one line each; runs in a process of each version."""
+    """Time the cases named on the input, one a line; each version runs this in its own process."""
     cases = cases_over_ZZ() if over == "ZZ" else cases_over_K()
     print(json.dumps(list(cases)), flush=True)
     for line in sys.stdin:

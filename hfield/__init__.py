@@ -23,7 +23,7 @@ _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def __getattr__(name: str) -> object:
-    """Import a public name; for one of another system, say what is written here."""
+    """Import a public name; for a name of another system, say what to write instead."""
     try:
         return _attribute(name)
     except AttributeError as error:

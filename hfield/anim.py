@@ -1,4 +1,4 @@
-"""The package :mod:`anim` by a name that nothing else has: ``from hfield.anim import …``."""
+"""The package :mod:`anim` under a unique name: ``from hfield.anim import …``."""
 
 from hfield.lazy_alias import lazy_alias
 

@@ -21,7 +21,7 @@ class HFieldError(Exception):
 
 
 class NotationError(HFieldError, ValueError):
-    """A text that cannot be read: ``position`` is the offset of the first character at fault.
+    """A text cannot be read; ``position`` is the offset of the first wrong character.
 
     ``reason`` is the message without the position.
 
@@ -40,7 +40,7 @@ class NotationError(HFieldError, ValueError):
 
 
 class RingError(HFieldError, ValueError):
-    """A base ring that does not exist or that cannot be built, such as GF(6).
+    """A base ring does not exist or cannot be built, such as GF(6).
 
     >>> from hfield import GF
     >>> try:
@@ -52,7 +52,7 @@ class RingError(HFieldError, ValueError):
 
 
 class CoercionError(HFieldError, TypeError):
-    """A value that is not an element of the ring or algebra asked for.
+    """A value is not an element of the wanted ring or algebra.
 
     >>> from hfield import H
     >>> try:
@@ -100,7 +100,7 @@ class NotFiniteError(HFieldError, TypeError):
 
 
 class LatticeError(HFieldError, ValueError):
-    """What is no lattice, order or ideal, or not one of the kind asked for.
+    """A value is not a lattice, order or ideal, or not of the required kind.
 
     >>> issubclass(LatticeError, ValueError)
     True
@@ -108,7 +108,7 @@ class LatticeError(HFieldError, ValueError):
 
 
 class IndefiniteError(LatticeError, NotFiniteError):
-    """A question with an answer in definite algebras only, asked of an indefinite one.
+    """The algebra is indefinite, and the method is for definite algebras.
 
     >>> issubclass(IndefiniteError, LatticeError)
     True
@@ -116,7 +116,7 @@ class IndefiniteError(LatticeError, NotFiniteError):
 
 
 class UndecidedError(HFieldError, ArithmeticError):
-    """A question about which this package has no decision procedure; the message says what was tried.
+    """No decision procedure applies; the message says what was tried.
 
     >>> issubclass(UndecidedError, ArithmeticError)
     True

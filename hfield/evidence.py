@@ -1,4 +1,4 @@
-"""The kinds of evidence, and certificates made of them.
+"""Evidence and certificates of claims.
 
 What each kind shows is written in docs/reference/certificates.md. The checker imports none of this: it reads
 the JSON, in its own way.
@@ -126,7 +126,7 @@ def _plain(x: Any) -> Any:
 
 
 def is_complete(evidence: object) -> bool:
-    """Tell whether there is evidence, and for all that it builds on."""
+    """Return whether there is evidence, also for the claims that it uses."""
     match evidence:
         case Evidence(values=values) | ({} as values):
             return all(
@@ -193,7 +193,7 @@ class CertifiedClaim:
 
     @cached_property
     def why_no_certificate(self) -> str | None:
-        """Why there is no certificate, in a line; None where there is one."""
+        """The reason why there is no certificate, in a line; None where there is one."""
         return self.refusal or why_rejected(self._data)
 
     @property
@@ -204,12 +204,12 @@ class CertifiedClaim:
 
 
 class Certified:
-    """What makes a claim that can be certified."""
+    """The protocol of objects that can be certified."""
 
     @property
     @abstractmethod
     def claim(self) -> CertifiedClaim:
-        """What there is to certify, as a statement with its evidence."""
+        """The claim to certify: a statement with its evidence."""
 
     @property
     def certificate(self) -> dict[str, object] | None:

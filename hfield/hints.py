@@ -1,4 +1,4 @@
-"""Tell what hfield calls the names of other systems."""
+"""Hints for names of other systems: what hfield calls them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import ClassVar, NoReturn
 
 
 class ForeignNameError(AttributeError):
-    """A name of another system; the message says what is written here."""
+    """A name of another system was used; the message says what to write instead."""
 
 
 class ForeignName:
-    """A name that is called otherwise here: asked for, it raises an AttributeError that says so."""
+    """A name of another system; access raises an AttributeError with the name to write instead."""
 
     def __init__(self, name: str, hint: str) -> None:
         self.name, self.hint = name, hint
@@ -26,7 +26,7 @@ class ForeignName:
 
 
 class Hinted:
-    """A class that answers a name of another system with its own, in the AttributeError.
+    """A class whose AttributeError for a name of another system gives the name to write instead.
 
     A ``__getattr__`` would do it too, and make every other attribute slower to find.
 

@@ -168,7 +168,7 @@ _RADICAND = re.compile(rf"[−-]?\d+|\w+\(|\w[{''.join(_OVER)}{_LOWERED}]*|[(\[�
 
 
 def _roots(text: str) -> str:
-    """Write √ and sqrt( with what they are taken of: a number, a letter, a value f(…), or a group."""
+    """Write √ and sqrt( with their operand: a number, a letter, a value f(…), or a group."""
     text = re.sub(r"(?<![\w\\])sqrt\(", "√(", text)
     for at in reversed([n for n, c in enumerate(text) if c == "√"]):
         found = _RADICAND.match(text, at + 1)
@@ -234,14 +234,14 @@ def _overlined_groups(text: str) -> str:
 
 
 def _inside_out(pattern: re.Pattern[str], by: str, text: str) -> str:
-    """Replace a pattern that may stand in itself, as in e_{i_1}, until none is left."""
+    """Replace a pattern that may be nested, as in e_{i_1}, until none is left."""
     while (after := pattern.sub(by, text)) != text:
         text = after
     return text
 
 
 def _separated(found: re.Match[str]) -> str:
-    """Put an empty group between scripts where TeX takes no second one of the same kind."""
+    """Put an empty group between two scripts of the same kind, which TeX needs."""
     out = ""
     used: set[str] = set()
     for script in re.findall(r"[\^_]\{[^{}]*\}", found[0]):
@@ -258,7 +258,7 @@ def _named(found: re.Match[str]) -> str:
 
 
 def _is_mathematical(token: str) -> bool | None:
-    """Tell whether a token is mathematics; None for what is where its neighbours are."""
+    """Return whether a token is mathematics; None for a token that follows its neighbours."""
     body, _ = _parted(token)
     if _leads(body) or body in _UPRIGHT or _FIELD.match(body.strip("([{")):
         return True
@@ -321,7 +321,7 @@ def _escaped(token: str) -> str:
 
 
 def _character(char: str, before: list[str] | None = None) -> str:
-    """Write one character of a text; an accent that stands alone goes over the letter before it."""
+    """Write one character of a text; a combining accent goes over the letter before it."""
     if char in _TEXT:
         return _TEXT[char]
     if char.isascii():
@@ -344,13 +344,13 @@ def _character(char: str, before: list[str] | None = None) -> str:
 
 
 def enumeration(items: Iterable[str]) -> str:
-    """Return a numbered list of what is LaTeX already; nothing for no items."""
+    """Return a numbered list of items in LaTeX; nothing for no items."""
     lines = [rf"\item {item}" for item in items]
     return "\n".join([r"\begin{enumerate}", *lines, r"\end{enumerate}"]) if lines else ""
 
 
 def descriptions(pairs: Iterable[tuple[str, str]]) -> str:
-    """Return a list of labels, in words, with what is LaTeX already."""
+    """Return a description list of plain labels with items in LaTeX."""
     lines = [rf"\item[{{{words(label)}}}] {text}" for label, text in pairs]
     return "\n".join([r"\begin{description}", *lines, r"\end{description}"]) if lines else ""
 

@@ -149,7 +149,7 @@ def combination_text(
 
 
 def _is_atom(text: str) -> bool:
-    """Tell whether a leading minus of the term may be drawn out: no sum outside parentheses."""
+    """Return whether a leading minus of the term may be pulled out: no sum outside parentheses."""
     return not any(char in "+-−" for _, char in outside(text))
 
 

@@ -21,7 +21,7 @@ DATELESS: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".pdf": {"Creati
 
 @dataclass(frozen=True)
 class Theme:
-    """The colours of a page: of the paper, of letters, of lines and small letters, and of zero."""
+    """The colours of a page: paper, text, lines and small text, zero."""
 
     page: str
     ink: str

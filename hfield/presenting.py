@@ -12,7 +12,7 @@ from hfield.latex import descriptions, words
 
 
 class AnswerSection(Protocol):
-    """A part of an answer: it has lines, none where it is not for pages, and LaTeX, or nothing."""
+    """A part of an answer: text lines and LaTeX, either of which may be empty."""
 
     def page(self, width: int) -> Sequence[str]:
         """Return the lines of a page."""
@@ -36,7 +36,7 @@ def latex(parts: Iterable[AnswerSection]) -> str:
 
 
 def hanging(head: str, text: str, width: int, whole: bool = False) -> list[str]:
-    """Return a text as lines of a width beside its head; what goes on stands below the text.
+    """Return a text as lines of a width beside its head, with a hanging indent.
 
     A word that is wider than its column is broken, or stays ``whole``.
 
@@ -65,7 +65,7 @@ def aligned(grid: Sequence[Sequence[str]], align: str, indent: str = "") -> list
 
 @dataclass(frozen=True)
 class LayoutBlock:
-    """What is laid out in its own way: the lines of a width, and the LaTeX."""
+    """A block with its own layout: lines of a width, and LaTeX."""
 
     page: Callable[[int], Sequence[str]]
     latex: Callable[[], str] = str
@@ -73,7 +73,7 @@ class LayoutBlock:
 
 @dataclass(frozen=True)
 class Facts:
-    """Labels with what they say, set in below a title where there is one.
+    """Labels with their texts, indented below an optional title.
 
     A fact without a label goes on with the one above. ``formulas`` are LaTeX by label, in place of words.
     """

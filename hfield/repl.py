@@ -1,4 +1,4 @@
-"""The interactive session: an algebra with e, i, j, k at hand, in IPython or in plain Python."""
+"""The interactive session: an algebra with e, i, j, k, in IPython or in plain Python."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class Help:
 
 
 def overview(A: QuaternionAlgebra) -> str:
-    """Return what an algebra can be asked, on one screen."""
+    """Return an overview of the methods of an algebra, on one screen."""
     from textwrap import wrap
 
     lines = [f"A = {A}: what it can be asked; help(A.units) tells of one thing", ""]
@@ -109,7 +109,7 @@ _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def python_source(text: str) -> str:
-    """Return what is typed as Python: ``2i`` is a product, ``^`` a power; printed signs are read, too.
+    """Translate a typed line to Python: ``2i`` is a product, ``^`` a power, and printed signs are read.
 
     Strings and comments stay as they are.
 
@@ -148,7 +148,7 @@ def namespace(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> dict[str, ob
 
 
 def banner(A: QuaternionAlgebra) -> str:
-    """Return what greets: where one is, and a few lines worth typing."""
+    """Return the greeting: the algebra, and a few lines to try."""
     generators = "".join(f", {name}" for name in A.ring.names())
     return f"""\
 hfield {hfield.__version__}: A = {shorten(A, 40)} over F; e, i, j, k{generators}
@@ -191,7 +191,7 @@ class _Console(InteractiveConsole):
     failed = False
 
     def runsource(self, source: str, filename: str = "<input>", symbol: str = "single") -> bool:
-        """Run what was typed, or return True where more has to come."""
+        """Run the typed lines, or return True if more are needed."""
         return super().runsource(python_source(source), filename, symbol)
 
     def showtraceback(self) -> None:
@@ -212,7 +212,7 @@ class _Console(InteractiveConsole):
 
 
 def mend_of_name(error: NameError) -> str:
-    """Return what to write for a name that a session does not have; nothing where it is not known.
+    """Return what to write for an undefined name; nothing if that is not known.
 
     >>> mend_of_name(NameError("", name="BrandtModule")), mend_of_name(NameError("", name="ij"))
     ("NameError: there is no 'BrandtModule': write O.class_set()", "NameError: there is no 'ij': write i*j")
@@ -325,7 +325,7 @@ def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
 
 
 def _complete_in_order(shell: Any, names: Mapping[str, object]) -> None:
-    """Let IPython complete names of an algebra in the order of a lesson."""
+    """Let IPython complete the names of an algebra in the order of the documentation."""
     from hfield.algebra import QuaternionAlgebra
 
     try:

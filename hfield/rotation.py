@@ -1,4 +1,4 @@
-"""The package :mod:`rotation` by a name that nothing else has: ``from hfield.rotation import …``."""
+"""The package :mod:`rotation` under a unique name: ``from hfield.rotation import …``."""
 
 from hfield.lazy_alias import lazy_alias
 

@@ -28,7 +28,7 @@ PIECE = 8
 
 @dataclass(frozen=True)
 class Survey:
-    """The row of a pair, of which ``names`` are the keys that stand for the pair."""
+    """The row of one pair; ``names`` are the keys that identify the pair."""
 
     row: Callable[[Pair, int], Row]
     names: tuple[str, str]
@@ -144,7 +144,7 @@ def group_row(pair: Pair, most: int) -> Row:
 
 
 def row(pair: Pair, most: int) -> Row:
-    """Return what is known of the classes of (D, N); they are enumerated if they are at most ``most``."""
+    """Return the invariants of the classes of (D, N); at most ``most`` classes are enumerated."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)))
     number = mass_formula.class_number(d, n)

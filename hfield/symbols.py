@@ -78,7 +78,7 @@ def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Exp
 
 
 def is_hamilton(ring: Ring, constants: Constants) -> bool:
-    """Tell whether the structure constants are −1 and −1, as sympy's quaternions have them."""
+    """Return whether the structure constants are −1 and −1, as sympy's quaternions have them."""
     minus_one = ring(-1)
     return (
         ring.equal(constants.a, minus_one)
@@ -101,12 +101,12 @@ def coordinates_in(x: Any) -> tuple[Any, ...] | None:
 
 
 def is_quaternion(x: object) -> bool:
-    """Tell whether x is a quaternion of sympy."""
+    """Return whether x is a quaternion of sympy."""
     return is_of_sympy(x) and type(x).__name__ == "Quaternion"
 
 
 def as_list(x: Any) -> Any:
-    """Return an array or a matrix of sympy as nested lists, all else as it is."""
+    """Return an array or a matrix of sympy as nested lists, and anything else unchanged."""
     return x.tolist() if is_of_sympy(x) and hasattr(x, "tolist") else x
 
 

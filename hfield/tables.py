@@ -83,7 +83,7 @@ def _fields(line: str) -> list[str]:
 
 
 def is_number(text: str) -> bool:
-    """Tell whether a text is a number in decimal notation."""
+    """Return whether a text is a number in decimal notation."""
     try:
         float(text)
     except ValueError:

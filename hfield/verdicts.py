@@ -48,7 +48,7 @@ class Verdict(Generic[W]):
 
     @cached_property
     def claim(self) -> CertifiedClaim | None:
-        """The statement with its evidence, or None where nothing is certified."""
+        """The claim with its evidence; None if there is no certificate."""
         return None if self.make_claim is None else self.make_claim()
 
     @property
@@ -58,7 +58,7 @@ class Verdict(Generic[W]):
 
     @property
     def why_no_certificate(self) -> str | None:
-        """Why there is no certificate, in a line; None where there is one."""
+        """The reason why there is no certificate, in a line; None where there is one."""
         if self.claim is None:
             return "certificates have no statement about this"
         return self.claim.why_no_certificate

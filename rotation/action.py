@@ -30,7 +30,7 @@ FEW, FEW_OWN, FEW_SINES = 25_000, 8_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:
-    """Turn v: what is near the ends of the range of floats by a power of two nearer to 1."""
+    """Rotate v; values near the ends of the range of floats are scaled by a power of two."""
     xp = namespace(v[0])
     f = factor(xp, v)
     spoilt = unchanging(xp, v)
@@ -45,7 +45,7 @@ def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> C
 def by_rows(
     m: Iterable[Iterable[Array]], v: Coordinates, unchanging: Array | None = None
 ) -> Coordinates:
-    """Return m·v, each row summed from its first product on, after what changes no sum if that is given."""
+    """Return m·v, each row summed from left to right, after an optional initial zero."""
     xp = namespace(v[0])
 
     def row(a: Array, b: Array, c: Array) -> Array:
@@ -116,7 +116,7 @@ def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> RowFormula
 
 
 def write(formula: RowFormula, target: Array, *arrays: Array) -> bool:
-    """Write a formula's values to ``target``; its last array is the points. Tell what it tells.
+    """Write the values of a formula to ``target``; its last array is the points. Return its flag.
 
     The arrays may be of both precisions; all is computed in double. The target may be the points.
     """

@@ -1,4 +1,4 @@
-"""The rotation, or the rigid motion, that takes one set of vectors or points closest to another."""
+"""Alignment: the rotation or rigid motion that maps one set of vectors or points closest to another."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Degrees and radians: whole quarters are taken off in degrees, where that is exact.
+"""Degrees and radians; quarter turns are removed in degrees, where that is exact.
 
 What is left, an eighth of a turn at most, becomes radians with twice the digits, so that sines and cosines of
 degrees are as near as those of radians, and those of quarter turns 0 and ±1.

@@ -1,4 +1,4 @@
-"""Types of what the package computes with: arrays of any library, and the namespaces of their functions."""
+"""Types of arrays of any library, and of the namespaces of their functions."""
 
 from collections.abc import Callable, Sequence
 from types import EllipsisType
@@ -47,7 +47,7 @@ class Limits(Protocol):
 
     @property
     def bits(self) -> int:
-        """How many bits it has."""
+        """The number of bits."""
 
     @property
     def eps(self) -> float:
@@ -63,7 +63,7 @@ class Limits(Protocol):
 
 
 class LinearAlgebra(Protocol):
-    """The extension of the standard for linear algebra, as far as it is used here."""
+    """The linear algebra extension of the array API standard, as used here."""
 
     def det(self, x: Array, /) -> Array: ...
     def eigh(self, x: Array, /) -> tuple[Array, Array]: ...
@@ -75,7 +75,7 @@ class LinearAlgebra(Protocol):
 
 
 class Namespace(Protocol):
-    """The functions of the Python array API standard that are used here, as one library has them."""
+    """The functions of the Python array API standard that are used here."""
 
     __name__: str
     nan: float
@@ -143,7 +143,7 @@ class Namespace(Protocol):
 
 
 class SymbolNamespace(Namespace, Protocol):
-    """The namespace of symbols has a few functions more."""
+    """The namespace of symbols, with a few further functions."""
 
     ROUND: float
 

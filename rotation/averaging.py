@@ -54,7 +54,7 @@ def mean(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None) -
 
 @quiet
 def _of_all(q: Array, w: Array | None) -> Array | None:
-    """The mean of quaternions (n, 4), or None where there is none or a number is not such as is usual."""
+    """The mean of quaternions (n, 4); None if there is none or the input needs the general path."""
     total = float(len(q))
     if w is None:
         moment = q.T @ q
@@ -170,7 +170,7 @@ def mean_of_vectors(v: Array, weights: Array, axes: tuple[int, ...]) -> Array:
 
 
 def _axes(axis: Axes | None, ndim: int) -> tuple[int, ...]:
-    """Nonnegative axes, each once, in order."""
+    """The distinct axes, nonnegative and ascending."""
     if axis is None:
         return tuple(range(ndim))
     given = axis if isinstance(axis, tuple | list) else (axis,)

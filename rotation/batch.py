@@ -25,7 +25,7 @@ class Batch(ImmutableArray):
 
     @classmethod
     def _of(cls, q: Array) -> Self:
-        """Wrap unit quaternions that nobody else will write to."""
+        """Wrap unit quaternions without copying; the caller must not write to them."""
         self = new(cls)
         if type(q) is np.ndarray or isinstance(q, np.ndarray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
@@ -34,7 +34,7 @@ class Batch(ImmutableArray):
 
     @classmethod
     def _stored(cls, q: Array, dtype: npt.DTypeLike | None) -> Self:
-        """Wrap unit quaternions in the precision asked for, or in their own if that is None."""
+        """Wrap unit quaternions in the given precision, or in their own if it is None."""
         if dtype is None:
             return cls._of(q)
         kind = precision(dtype)
@@ -53,12 +53,12 @@ class Batch(ImmutableArray):
 
     @property
     def _double(self) -> Array:
-        """The quaternions, in float64 if they are numpy's: for what is no formula on rows."""
+        """The quaternions, in float64 if they are numpy's."""
         return floats(self._q, "rotations")
 
     @property
     def dtype(self) -> "np.dtype[np.floating]":
-        """The type of float that the quaternions are stored in, and results are given in."""
+        """The floating point type of the stored quaternions and of results."""
         return self._q.dtype
 
     def astype(self, dtype: npt.DTypeLike | None) -> Self:
@@ -168,5 +168,5 @@ def expect_rotations(**named: object) -> None:
 
 
 def _restore(cls: type[Batch], q: Array) -> Batch:
-    """Rebuild from a pickle bit by bit, without normalising again."""
+    """Rebuild from a pickle without normalising again."""
     return cls._of(q)

@@ -209,7 +209,7 @@ class Conversions(Batch):
 
     @classmethod
     def between(cls, source: ArrayLike, target: ArrayLike) -> Self:
-        """Make the shortest rotations that take directions ``source`` (…, 3) to ``target`` (…, 3).
+        """Make the shortest rotations that map directions ``source`` (…, 3) to ``target`` (…, 3).
 
         Opposite directions are half a turn apart about many axes; the one taken is perpendicular
         to ``source`` and to the coordinate axis farthest from it.
@@ -223,7 +223,7 @@ class Conversions(Batch):
 
     @classmethod
     def from_scipy(cls, rotation: "ScipyRotation") -> Self:
-        """Make rotations from scipy's, or from those of `rotation.compat`; all else is a DTypeError."""
+        """Make rotations from scipy's or from `rotation.compat`'s. Raises DTypeError for anything else."""
         if not hints.is_scipys(rotation, "Rotation"):
             raise DTypeError(
                 f"{hints.described(rotation)}; expected a scipy.spatial.transform.Rotation"

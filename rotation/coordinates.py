@@ -48,7 +48,7 @@ def factor(xp: Namespace, coordinates: Coordinates) -> Array:
 
 
 def backwards(xp: Namespace, f: Array) -> Array:
-    """Return ``1/f`` for what `factor` gives, without a division, which takes longer than all else there."""
+    """Return ``1/f`` for a result f of `factor`, without a division, which is slow."""
     one, step = xp.ones_like(f), STEP[finfo(xp, f).bits]
     return xp.where(f > 1.0, (1.0 / step) * one, xp.where(f < 1.0, step * one, one))
 
@@ -80,7 +80,7 @@ def length(xp: Namespace, coordinates: Coordinates) -> Array:
 
 
 def root(xp: Namespace, square: Array) -> Array:
-    """Return the square root of what may be 0; differentiated there it gives 0, for it has no derivative."""
+    """Return the square root, with derivative 0 at 0."""
     zero = square == 0.0
     return xp.where(zero, square, xp.sqrt(xp.where(zero, xp.ones_like(square), square)))
 
@@ -94,7 +94,7 @@ def unit(xp: Namespace, coordinates: Coordinates) -> Coordinates:
 
 
 def poison(coordinates: Coordinates) -> Array:
-    """Return 0 for rows of finite coordinates and NaN for all others: what to add to spoil them."""
+    """Return 0 for rows of finite coordinates and NaN for others, to be added to results."""
     return reduce(add, (0.0 * c for c in coordinates))
 
 

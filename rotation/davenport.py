@@ -123,7 +123,7 @@ def _reading(intrinsic: bool, degrees: bool, tolerance: float) -> RowFormula:
 
 
 def _to_davenport(q: Array, axes: Array, intrinsic: bool, degrees: bool, tolerance: float) -> Array:
-    """The three angles, and 1 in gimbal lock, else 0."""
+    """The three angles, and a flag that is 1 in gimbal lock."""
     xp, rows = namespace(q), _rows(axes, 3)
     first, second, third = rows[::-1] if intrinsic else rows
     across = cross(first, second)

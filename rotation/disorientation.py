@@ -103,7 +103,7 @@ def _map(left: Array, right: Array) -> Array:
 
 
 def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
-    """The five numbers of a row: its quaternion, and whether another candidate may be as good."""
+    """The five numbers of a row: the best quaternion, and a flag for near ties."""
     xp, best = namespace(q), split(q)
     doubtful = xp.zeros_like(best[0])
     for key, maps in enumerate(stages):
@@ -113,7 +113,7 @@ def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
 
 
 def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Array]:
-    """The image of q with the largest coordinate ``key``, w ≥ 0, and whether another comes near."""
+    """The image of q with the largest coordinate ``key``, w ≥ 0, and a flag for near ties."""
 
     def image_by(m: Array) -> Coordinates:
         image = tuple(_sum(row, q) for row in m)
@@ -136,7 +136,7 @@ def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coor
 
 
 def _sum(row: Array, q: Coordinates) -> Array:
-    """The sum of products with what is not 0."""
+    """The sum of the nonzero products."""
     pairs = [(float(a), c) for a, c in zip(row, q, strict=True) if a]
     terms = [a * c if abs(a) != 1.0 else (c if a > 0.0 else -c) for a, c in pairs]
     total = terms[0]
@@ -146,7 +146,7 @@ def _sum(row: Array, q: Coordinates) -> Array:
 
 
 def _among_all(p: Array, maps: _Maps) -> Array:
-    """The best of all candidates (n, 4), of both signs, one coordinate after the other."""
+    """The best of all candidates (n, 4) with both signs, compared lexicographically."""
     every = (maps.by_axis[:, None] @ maps.by_angle[None]).reshape(-1, 4, 4)
     every = np.concatenate([every, -every])
     found = np.empty_like(p)

@@ -49,11 +49,11 @@ class DTypeError(HFieldError, TypeError):
 
 
 class MemberError(DTypeError, RotationError):
-    """Something else among rotations that are joined: a wrong type in a list that is no list of rotations."""
+    """A value of a wrong type in a list of rotations."""
 
 
 class ArgumentError(HFieldError, TypeError):
-    """An argument that a call does not have, such as one of scipy's names; the message says what to write.
+    """An unknown argument, such as one of scipy's names; the message says what to write.
 
     Examples
     --------
@@ -66,7 +66,7 @@ class ArgumentError(HFieldError, TypeError):
 
 
 class ForeignArrayError(HFieldError, TypeError):
-    """An array of another library where only numpy arrays are taken.
+    """An array of another library where only numpy arrays are supported.
 
     Examples
     --------

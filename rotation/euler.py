@@ -64,7 +64,7 @@ def _read(seq: str) -> Sequence:
 
 
 def prepare(seq: str) -> None:
-    """Make the formulas of a sequence, so that they can be compiled."""
+    """Build the formulas of a sequence of axes, for compilation."""
     axes, intrinsic = sequence(seq)
     for degrees in (False, True):
         _making(axes, intrinsic, degrees)
@@ -177,7 +177,7 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
 
 
 def _angle(xp: Namespace, y: Array, x: Array, free: Array) -> Array:
-    """The angle of (x, y), 0 where it is free: there its derivative might not be finite."""
+    """The angle of (x, y), 0 in gimbal lock, where its derivative may not be finite."""
     return xp.atan2(xp.where(free, xp.zeros_like(y), y), xp.where(free, xp.ones_like(x), x))
 
 

@@ -37,7 +37,7 @@ _CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
 
 
 class _Sum(NamedTuple):
-    """The sum of angles at a rotation, and what its slope is made of."""
+    """The sum of angles at a rotation, and the terms of its gradient."""
 
     at: Array  # the quaternion (4,)
     value: float
@@ -120,7 +120,7 @@ def _descend(q: Array, w: Array, start: Array) -> _Sum:
 
 
 def _improves(new: _Sum, old: _Sum) -> bool:
-    """Tell whether a step leads down; where sums differ by rounding alone, whether the slope is less."""
+    """Return whether a step decreases the sum, or the gradient where sums differ only by rounding."""
     noise = 8.0 * _EPS * old.value
     return new.value < old.value - noise or (
         new.value <= old.value + noise and new.slope < old.slope
@@ -128,7 +128,9 @@ def _improves(new: _Sum, old: _Sum) -> bool:
 
 
 def _newton(q: Array, w: Array, s: _Sum) -> _Sum | None:
-    """Take Newton's step, if the sum has second derivatives: ``½·cot(angle/2)`` across the way to each."""
+    """Take Newton's step, if the sum has second derivatives: ``½·cot(angle/2)`` perpendicular to each
+    geodesic.
+    """
     if s.here:
         return None
     bend = w * 0.5 / np.tan(0.5 * s.angles)
@@ -182,7 +184,7 @@ class _Boxes(NamedTuple):
 
 
 class _Bounds(NamedTuple):
-    """What is known of boxes."""
+    """Bounds of the sum on boxes."""
 
     value: Array  # (m,): the sum in the middle
     least: Array  # (m,): no sum in the box is less
@@ -200,7 +202,7 @@ class _Ends:
         self.decided = set[bytes]()
 
     def add(self, end: _Sum, start: Array) -> bool:
-        """Note the end of a descent from a rotation in a cell; tell whether it is new."""
+        """Record the end of a descent from a rotation in a cell; return whether it is new."""
         (own,) = _cells((end.at @ self._q.T)[None])
         new = own not in self.decided and not any(_same_place(end, e) for e in self._found)
         for inside in (start, end.at):
@@ -212,7 +214,7 @@ class _Ends:
         return new
 
     def _is_minimum(self, end: _Sum, signs: Array) -> bool:
-        """Tell whether an end has the least sum of a closed cell, ``signsᵢ·(q·qᵢ) ≥ 0`` or ``≤ 0``."""
+        """Return whether an end has the least sum of its closed cell, ``signsᵢ·(q·qᵢ) ≥ 0`` or ``≤ 0``."""
         cosines = signs * (self._q @ end.at)
         if cosines.sum() < 0.0:
             signs, cosines = -signs, -cosines
@@ -266,14 +268,14 @@ def _search(q: Array, w: Array, first: _Sum) -> list[_Sum]:
 
 
 def _open(bounds: _Bounds, ends: _Ends) -> Array:
-    """Return which boxes may have a smaller sum than the ends, or as small a one in another cell."""
+    """Return which boxes may contain a smaller sum than the known minima, or an equal one in another cell."""
     decided = np.array([cell in ends.decided for cell in bounds.cell], bool)
     least = ends.sorted()[0].value + BOUND_ERROR
     return np.flatnonzero(~decided & (bounds.least <= least))
 
 
 def _cells(cosines: Array) -> list[bytes]:
-    """Name the cells of quaternions by the sides of the planes on which they lie; q and −q alike."""
+    """Return keys of the cells of quaternions by signs at the planes; q and −q have the same key."""
     sides = (cosines > 0.0) == (cosines[:, :1] > 0.0)
     return [row.tobytes() for row in np.packbits(sides, axis=1)]
 

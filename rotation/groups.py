@@ -68,7 +68,7 @@ def _octahedral() -> Rows:
 
 
 def _with_first_turned(q: Row) -> Row:
-    """The same with its first nonzero coordinate negative."""
+    """The same rotation with negative first nonzero coordinate."""
     n = next(n for n, c in enumerate(q) if c)
     return (*q[:n], -q[n], *q[n + 1 :])
 

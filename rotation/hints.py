@@ -1,4 +1,4 @@
-"""What somebody gave in place of what was expected, and what to write; names that other libraries use.
+"""Error messages for wrong arguments, with what to write, also for names of other libraries.
 
 scipy, `rotation.compat` and we all call a class Rotation, so an error has to say whose. Classes are known by
 their names: nothing is imported to tell.
@@ -50,13 +50,13 @@ def kind(value: object) -> ClassReference | None:
 
 
 def is_scipys(value: object, name: str) -> bool:
-    """Tell whether a value is scipy's class of that name, or its drop-in of `rotation.compat`."""
+    """Return whether a value is scipy's class of that name, or its drop-in of `rotation.compat`."""
     found = kind(value)
     return found is not None and found.home != OURS and found.name == name
 
 
 def described(value: object) -> str:
-    """Return what a value is, or a list begins with, and where its class comes from if that is in doubt."""
+    """Describe a value, or the first entry of a list, with the origin of its class if it is ambiguous."""
     inside = _first(value)
     found = kind(inside)
     of = "" if inside is value or not found else f"{type(value).__name__} of "
@@ -68,7 +68,7 @@ def _first(value: object) -> object:
 
 
 def refusal(value: object, name: str, wanted: str) -> str:
-    """Return the words of an error: what the value called ``name`` is, what was expected, what to write.
+    """Return an error message: what the argument ``name`` is, what was expected, what to write.
 
     ``wanted`` is "Rotation" or "RigidTransform", of ours.
 
@@ -93,7 +93,7 @@ def refusal(value: object, name: str, wanted: str) -> str:
 
 
 def refuse_arguments(call: str, others: Mapping[str, object]) -> None:
-    """Raise `ArgumentError`, with what to write, if there are arguments that a call does not have."""
+    """Raise `ArgumentError`, with what to write, for unknown arguments."""
     for name, value in others.items():
         given = shorten(repr(value))
         advice = ARGUMENTS.get(name, "").format(given)
@@ -116,7 +116,7 @@ def numbers_expected(value: object, name: str) -> str | None:
 
 
 def _conversion(found: ClassReference, code: str, wanted: str) -> str:
-    """How to make ours of another's rotation or transform."""
+    """The call that converts another library's rotation or transform."""
     foreign = found.home != OURS
     if wanted == "RigidTransform":
         if found.name == wanted:
@@ -128,7 +128,7 @@ def _conversion(found: ClassReference, code: str, wanted: str) -> str:
 
 
 def _constructor(value: object, code: str, wanted: str) -> str:
-    """How to make a rotation or a transform of an array, by its shape; nothing if it fits none."""
+    """The constructor for an array, by its shape; nothing if none fits."""
     shape = tuple(getattr(value, "shape", ()))
     ways = {
         "Rotation": {(4,): "from_quat", (3, 3): "from_matrix", (3,): "from_rotvec"},

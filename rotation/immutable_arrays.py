@@ -40,7 +40,7 @@ class ImmutableArray(Hinted):
 
     @property
     def size(self) -> int:
-        """How many there are."""
+        """The number of elements."""
         return int(np.prod(self.shape, dtype=np.int64))
 
     @property
@@ -121,7 +121,7 @@ class ImmutableArray(Hinted):
         return (self[n] for n in range(len(self)))
 
     def _refuse_factor(self, other: object) -> None:
-        """Raise `DTypeError`, with advice, unless the other factor's class may know what to do."""
+        """Raise `DTypeError`, with advice, unless the other factor may implement the product."""
         found = hints.kind(other)
         if found is not None:
             own = "Rotation" if self._called == "rotation" else "RigidTransform"
@@ -186,7 +186,7 @@ class ImmutableArray(Hinted):
 
 
 def on_the_right(side: str) -> bool:
-    """Tell whether a side is the right one; `RotationError` if it is no side."""
+    """Return whether a side is the right one. Raises `RotationError` for anything but a side."""
     if side not in ("left", "right"):
         raise RotationError(f'side {side!r}: "left" or "right" is expected')
     return side == "right"

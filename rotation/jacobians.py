@@ -180,7 +180,8 @@ def _tangents(tangent: ArrayLike) -> Array:
 
 
 def _parts(xp: Namespace, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
-    """Return where v is short enough for series, θ² there, v there and elsewhere its direction, and θ/2.
+    """Return the mask of short v for which series are used, θ² there, v there and its direction elsewhere,
+    and θ/2.
 
     Nothing is squared where that may overflow, and where a value is not asked for it is harmless.
     """

@@ -223,7 +223,7 @@ def _bits(matrix: ArrayLike, xp: Namespace) -> int:
 
 @quiet
 def scaled(xp: Namespace, m: Array) -> Array:
-    """Matrices whose largest entry is 1, so that no product of entries over- or underflows."""
+    """Matrices scaled to largest entry 1, so that no product of entries over- or underflows."""
     return m / largest(xp, m)
 
 

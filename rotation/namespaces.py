@@ -196,7 +196,7 @@ def spread(xp: Namespace, array: Array, shape: tuple[int, ...], what: str) -> Ar
 
 
 def certainly(condition: Array) -> bool:
-    """Tell whether a condition on one number holds.
+    """Return the truth value of a condition on one number; False if it is traced.
 
     While JAX traces a function, or torch maps one over a batch, no value is known and nothing can be refused:
     then it is False.

@@ -18,7 +18,7 @@ Matrix = tuple[tuple[Array, ...], ...]
 
 
 def is_differentiable(array: Array) -> bool:
-    """Tell whether an array is of a library that takes derivatives."""
+    """Return whether the array's library supports derivatives."""
     return type(array).__module__.partition(".")[0] in ("torch", "jax", "jaxlib")
 
 

@@ -16,7 +16,7 @@ _MANY_OR_ONE = ((True, True), (True, False), (False, True))
 
 
 def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
-    """Compile what would be compiled on first use, and keep it on disk where that can be done.
+    """Compile now what would be compiled on first use, and cache it on disk if possible.
 
     That is each formula, and each loop over points (…, 3) and (3, …) in one piece, of both precisions. Each
     takes some hundredths of a second, all of them some seconds, once on a machine. Nothing of this is
@@ -56,7 +56,7 @@ def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
 def _loops(
     kind: np.dtype, finer: np.dtype, columns: bool, turns: list[tuple[tuple[int, ...], bool]]
 ) -> None:
-    """Compile the loops for points of one precision, and what turns them of another."""
+    """Compile the loops for points of one precision and rotations of either."""
 
     def rows(width: int, many: bool, of: np.dtype) -> Array:
         a = np.ones((3 if many else 1, width), of, order="F" if columns and many else "C")

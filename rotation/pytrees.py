@@ -34,7 +34,7 @@ def register_pytree(*names: str) -> Callable[[_Class], _Class]:
 
 
 def known(value: _Value) -> _Value:
-    """Return a value, once the classes are known to those of the libraries that are there."""
+    """Register the classes as pytrees with the imported libraries; return the value."""
     global _number_of_modules
     if len(_modules) != _number_of_modules:
         _number_of_modules = len(_modules)
@@ -56,7 +56,7 @@ def _parts(names: tuple[str, ...]) -> Callable[[object], tuple[object, ...]]:
 
 
 def _whole(kind: type, names: tuple[str, ...]) -> Callable[[Iterable[object]], object]:
-    """How to put one together, of whatever stands for its arrays: a library may put there what it likes."""
+    """Return the function that rebuilds an object from its leaves, which may be any objects."""
 
     def made(parts: Iterable[object]) -> object:
         value: object = object.__new__(kind)

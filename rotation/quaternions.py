@@ -47,7 +47,7 @@ def normalised(q: ArrayLike) -> Array:
 
 
 def normalise(q: Array) -> Array:
-    """Return what `normalised` does, as a formula; it tells of zeros."""
+    """Return the formula of `normalised`, with a flag for zeros."""
     xp, c = namespace(q), split(q)
     norm = sum_of_squares(c)
     flag_if(xp, norm == 0.0)
@@ -195,7 +195,7 @@ def power(q: Array, exponent: Operand) -> Array:
 
 
 def direct_power(q: Array, exponent: Operand) -> Array:
-    """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
+    """Return the power of unit quaternions (…, 4) without change of sign; −q takes the long way."""
     return _raised(_POWER, exponent, q)
 
 

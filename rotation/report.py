@@ -117,7 +117,7 @@ def benchmark(language: str) -> Chapter:
 
 
 def benchmark_html(data: dict[str, Any], language: str) -> str:
-    """Set what ``hfield bench --format json`` writes as tables, the quickest way first."""
+    """Write the JSON of ``hfield bench`` as HTML tables, the fastest first."""
     words = _BENCHMARK[language]
     said: dict[str, str] = words["said"]
     facts = {"points": f"{data['settings']['points']:,}".replace(",", "\u202f"), **data["machine"]}

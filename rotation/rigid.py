@@ -92,7 +92,7 @@ class RigidTransform(Forms):
     inv = inverse  # as scipy calls it
 
     def apply(self, points: ArrayLike, inverse: bool = False) -> Array:
-        """Move points (…, 3): ``R·v + t``, or back again; the batch shapes broadcast.
+        """Apply the motion, or its inverse, to points (…, 3): ``R·v + t``; the batch shapes broadcast.
 
         float32 and float64 are kept, integers become float64. All is computed in double.
 
@@ -167,7 +167,7 @@ class RigidTransform(Forms):
     def align(
         cls, source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
     ) -> tuple[Self, Array]:
-        """Return the motion that takes points closest to others, and how close; see `align_points`."""
+        """Return the motion that maps points closest to others, and the distance; see `align_points`."""
         turn, shift, rssd = align_points(source, target, weights)
         return cls._of(turn._q, shift), rssd
 

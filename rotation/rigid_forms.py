@@ -33,7 +33,7 @@ class Forms(ImmutableArray):
 
     @classmethod
     def _of(cls, q: Array, t: Array) -> Self:
-        """Wrap unit quaternions and translations that nobody else writes to, of shapes that broadcast."""
+        """Wrap unit quaternions and translations of broadcastable shapes, without copying."""
         xp = namespace(q, t)
         batch = np.broadcast_shapes(tuple(q.shape[:-1]), tuple(t.shape[:-1]))
         self = object.__new__(cls)
@@ -87,7 +87,7 @@ class Forms(ImmutableArray):
 
     @classmethod
     def from_components(cls, translation: ArrayLike, rotation: Rotation) -> Self:
-        """Make transforms that turn first, then shift; the batch shapes broadcast."""
+        """Make transforms that rotate first, then translate; the batch shapes broadcast."""
         expect_rotations(rotation=rotation)
         t = _copied(translation, "translations")
         common_batch(translation=tuple(t.shape[:-1]), rotation=rotation.shape)

@@ -106,7 +106,7 @@ class RowFormula:
         return self._with_flag(arrays) if made is None else (made, False)
 
     def _with_flag(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
-        """Do what `with_flag` does where there is no machine code, or none yet."""
+        """Apply `with_flag` without machine code."""
         batch: tuple[int, ...] = ()
         for a, axes, kind in zip(arrays, self._axes, self._kinds, strict=True):
             if type(a) is not np.ndarray or a.dtype is not kind:
@@ -157,7 +157,7 @@ class RowFormula:
         return straight
 
     def _shared(self, function: Callable[..., bool], arrays: list[Array], out: Array) -> bool:
-        """Compute piece by piece, in as many threads as there are."""
+        """Compute in blocks, shared by all threads."""
         rows = out.size // prod(self._row)
         flat = [
             a if a.ndim == len(shape) else a.reshape(rows, *shape)
@@ -176,7 +176,7 @@ class RowFormula:
         return bool(in_pieces(work, rows, _ROWS, self._shortest, (flat, result)))
 
     def _with_conversion(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
-        """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""
+        """Compute on arrays with another layout or of other libraries, such as tensors."""
         if all(isinstance(a, np.ndarray | np.generic) for a in arrays):
             kinds = tuple(_FLOAT32 if a.dtype == _FLOAT32 else FLOAT64 for a in arrays)
             plain = (np.array(a, k, copy=None) for a, k in zip(arrays, kinds, strict=True))
@@ -234,7 +234,7 @@ class RowFormula:
 
 
 def unmade(*_: object) -> None:
-    """Stand for machine code that is not there yet: nothing can be done by it."""
+    """A placeholder for machine code that is not compiled yet."""
 
 
 def _size(kind: np.dtype[np.floating]) -> int:

@@ -1,4 +1,4 @@
-"""Swing and twist: a rotation as a turn about a given axis, followed by one about an axis across."""
+"""Swing and twist: a rotation about a given axis, followed by one about a perpendicular axis."""
 
 from rotation.array_types import ArrayLike
 from rotation.arrays import common_batch

@@ -79,7 +79,8 @@ def rotationquaternion(angle: Scalar, rotation_axis: Vector, element: Vector) ->
 
 
 def rotationquaternionNormalized(angle: Scalar, rotation_axis: Vector, element: Vector) -> Vector:
-    """Return the same for an axis of any length but 0: the function the text leaves unnamed (3.1.1).
+    """Return the same for an axis of any nonzero length: the function that the text leaves unnamed
+    (3.1.1).
 
     Raises ZeroDivisionError for the axis 0.
     """

@@ -5,7 +5,7 @@ from rotation.errors import RotationError
 
 
 def threads(number: int | None = None) -> int:
-    """Return how many threads a call may use, after setting it to ``number`` if that is given.
+    """Set the number of threads of a call to ``number``, if given; return it.
 
     At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
     number of processors this process may run on. Raises `RotationError` unless it is a whole number of at

@@ -71,7 +71,7 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
 
 
 def _exponential(xp: Namespace, v: Array) -> Array:
-    """Without pairs, for libraries that take derivatives: the length is rounded, as its sine is.
+    """The exponential without pairs, for libraries with derivatives.
 
     Near 0 series take over, which have all derivatives there. What a compiler is to compute once a row
     stands apart from the coordinates that it multiplies.

@@ -1,4 +1,4 @@
-"""Wahba's problem on arrays: the quaternion that takes one set of vectors closest to another.
+"""Wahba's problem on arrays: the quaternion that maps one set of vectors closest to another.
 
 G. Wahba, "A least squares estimate of satellite attitude", SIAM Review 7 (1965); solved by the
 singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley (1988).

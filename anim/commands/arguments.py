@@ -1,4 +1,4 @@
-"""The arguments of ``hfield render``: names, defaults, and what the help says."""
+"""The arguments of ``hfield render``: names, defaults and help."""
 
 from __future__ import annotations
 

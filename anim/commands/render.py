@@ -48,7 +48,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Draw, write, and tell what was made."""
+    """Render the film or picture, and report the file."""
     if args.output in ("", "-"):
         raise UsageError("a picture needs an output file: expected a name such as -o top.mp4")
     from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of, refuse_ignored
@@ -225,7 +225,7 @@ def _report(
     size: tuple[int, int] | None,
     numbers: list[int] | None = None,
 ) -> int:
-    """Tell what was made: a film, or a picture of the frames of these numbers."""
+    """Report the film, or the picture of the frames with these numbers."""
     files = sorted(path.iterdir()) if path.is_dir() else [path]
     large = sum(file.stat().st_size for file in files)
     landed = motion.record.landed if motion.record else None

@@ -1,4 +1,4 @@
-"""What the rows count: the parts of the model, the variables of functions, the frames of a film.
+"""Claims that count: parts of the model, variables of functions, frames of a film.
 
 Everything is counted by running or inspecting the package; what loads numpy does so when asked.
 """

@@ -28,7 +28,7 @@ THEOREM_7 = "inv(p*q) == inv(q)*inv(p)"
 
 
 def proof(conjugates: Node) -> Node:
-    """Say each step of the proof of Theorem 7, with what is put for the conjugate of the product."""
+    """Return each step of the proof of Theorem 7, given the term for the conjugate of the product."""
     whole, parts = conj(P * Q) / norm(P * Q), conjugates / (norm(Q) * norm(P))
     return both(equal(inv(P * Q), whole), equal(whole, parts), equal(parts, inv(Q) * inv(P)))
 
@@ -69,7 +69,7 @@ INVERSE = Assertion.of(
 
 
 class MultiplicationCounter:
-    """A scalar without a value; it counts the multiplications it takes part in."""
+    """A scalar without a value that counts multiplications."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -86,7 +86,7 @@ class MultiplicationCounter:
 
 
 def work(points: int) -> tuple[int, int]:
-    """Return the multiplications that so many points take, by spin3d and by spin3dOptimized.
+    """Return the numbers of multiplications that spin3d and spin3dOptimized need for so many points.
 
     Of a frame: two rotations a point; or one a point, and the product of the two quaternions once.
     """

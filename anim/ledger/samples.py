@@ -1,4 +1,4 @@
-"""Section 3.4: numpy's ``linspace``, inspected and run, and the points made of what it returns."""
+"""Section 3.4: numpy's ``linspace`` and the points computed from its values."""
 
 from collections.abc import Callable
 from fractions import Fraction

@@ -64,7 +64,7 @@ class Dividing:
 
 
 def second_cone(base: str = "") -> Dividing:
-    """Say it of P2, whose height and radius are fractions."""
+    """The same claim for P2, whose height and radius are fractions."""
     whole = cone("3", "(1/3)**3", "11/10", base, "" if base else "P2")
     return Dividing(whole, (2, 3, 5), "Where 2, 3 or 5 is 0, there are no 1/3 and 11/10.")
 

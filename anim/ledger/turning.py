@@ -1,4 +1,4 @@
-"""Turning vectors whose entries are terms, by angles of which the cosine and the sine are terms."""
+"""Rotate vectors of terms by angles whose cosine and sine are terms."""
 
 from hfield.syntax import Node, names
 from rotation.ledger.entries import (

@@ -53,7 +53,7 @@ def _is_frame(path: Path) -> bool:
 
 @contextmanager
 def file_place(path: Path, force: bool) -> Iterator[Path]:
-    """Yield a hidden name beside ``path``; what is written there takes its place in the end.
+    """Yield a hidden name beside ``path``; the file written there is renamed to ``path`` at the end.
 
     A file that has appeared there meanwhile is replaced with ``force`` only. What a run that was killed left
     there is removed first. Raises :class:`AnimationError`.
@@ -85,7 +85,7 @@ def write_text(path: Path, text: str, force: bool) -> None:
 
 @contextmanager
 def _in_one_line(path: Path) -> Iterator[None]:
-    """Turn what the system says of a file into an :class:`AnimationError`."""
+    """Turn an error of the operating system into an :class:`AnimationError`."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,4 @@
-"""ffmpeg at the end of a pipe: raw frames go in, a file comes out; nothing is kept in memory.
+"""Encode raw frames by ffmpeg through a pipe, without keeping them in memory.
 
 The program is the one in imageio-ffmpeg's wheel, or what IMAGEIO_FFMPEG_EXE names.
 """
@@ -47,7 +47,7 @@ class Encoded(Format):
     """Whether the encoder tells how many frames it took; else it counts the whole film as one packet."""
 
     def check(self, film: Film) -> None:
-        """Refuse a film that is too slow, and any without ffmpeg."""
+        """Raise :class:`AnimationError` for a film that is too slow, or if ffmpeg is missing."""
         if film.fps < SLOWEST_FPS:
             raise AnimationError(
                 f"{film.fps:g} frames a second are too few for .{self.name}; expected {SLOWEST_FPS:g} or more"
@@ -55,12 +55,12 @@ class Encoded(Format):
         ffmpeg()
 
     def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Pixels], memoryview]]:
-        """Return what ffmpeg calls the pixels that it is sent, and what makes them of a frame."""
+        """Return ffmpeg's name of the raw pixel format, and the function that converts a frame to it."""
         return ("-pix_fmt", "rgb24"), lambda frame: np.ascontiguousarray(frame).data
 
     @abstractmethod
     def options(self, film: Film) -> list[str]:
-        """Return ffmpeg's options; the format by name too, whatever else the file's name says."""
+        """Return ffmpeg's options, with the format by name, so that the file's name does not matter."""
 
     @contextmanager
     def open(self, path: Path, film: Film, samples: Samples | None) -> Iterator[Write]:
@@ -70,7 +70,7 @@ class Encoded(Format):
 
     @contextmanager
     def encoder(self, path: Path, film: Film, more_input: Sequence[str]) -> Iterator[Write]:
-        """Run ffmpeg on the frames, and on what ``more_input`` names in its words."""
+        """Run ffmpeg on the frames and on further inputs, the options ``more_input``."""
         width, height = film.size
         pixels, made = self.raw(film)
         rate = Fraction(film.fps).limit_denominator(100_000)
@@ -141,7 +141,7 @@ def _failed(said: IO[bytes]) -> AnimationError:
 
 @contextmanager
 def _ended(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    """See that the process has ended when the block has, however that ended."""
+    """End the process when the block ends, also on an error."""
     try:
         yield
     finally:
@@ -154,7 +154,7 @@ def _ended(process: subprocess.Popen[bytes]) -> Iterator[None]:
 
 
 def _widen(process: subprocess.Popen[bytes]) -> None:
-    """Let the pipe hold a frame or so, which spares changes between the two processes."""
+    """Enlarge the pipe to about one frame, which saves switches between the two processes."""
     import fcntl
 
     with suppress(OSError, AttributeError):

@@ -1,4 +1,4 @@
-"""The 256 colours of a gif, from frames all over the film: one pass over it then needs no memory."""
+"""Choose the 256 colours of a gif from sampled frames, so that one pass over the film suffices."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from hfield.errors import shorten
 
 
 class OutputKind(Enum):
-    """What a name stands for."""
+    """The kind of output that a file name stands for."""
 
     FILM = "film"
     PAGE = "page"
@@ -25,13 +25,13 @@ class OutputKind(Enum):
 
 
 def suffixes() -> dict[str, OutputKind]:
-    """Return what each suffix of a name stands for; a name without one is a folder."""
+    """Return the kind of output of each suffix; a name without suffix is a folder."""
     films = {f".{name}": OutputKind.FILM for name in FORMATS}
     return films | {".html": OutputKind.PAGE, ".png": OutputKind.PICTURE}
 
 
 def kind_of(path: Path) -> OutputKind:
-    """Return what a name stands for. Raises :class:`AnimationError` for an unknown suffix."""
+    """Return the kind of output of a file name. Raises :class:`AnimationError` for an unknown suffix."""
     if path.name in suffixes():
         raise AnimationError(f"{path.name!r} is a suffix without a name; try top{path.name}")
     kind = suffixes().get(path.suffix.lower())
@@ -48,7 +48,7 @@ def kind_of(path: Path) -> OutputKind:
 
 
 def check(path: Path, film: Film | None, force: bool = False) -> None:
-    """Refuse at once what would fail in the end; ``film`` is None for a page or one picture.
+    """Raise now for an output that would fail at the end; ``film`` is None for a page or one picture.
 
     Raises :class:`AnimationError` for an unknown suffix or one of no film, a size or pace that the format
     cannot have, a file that exists (without ``force``), a folder that is missing or cannot be written, and

@@ -1,4 +1,4 @@
-"""The top that is free: it stands on the ground by what presses it, slips, rises, falls and rolls on its rim.
+"""Equations of motion of a free top on the ground: it slips, rises, falls and rolls on its rim.
 
 No point is fixed. Where the outline's corners, each a circle rounded by a radius, sink below z = 0 by δ, the
 ground presses with N = κδ^(3/2)(1 + cδ̇) (H. Hertz 1882; K. H. Hunt and F. R. E. Crossley, "Coefficient of
@@ -28,7 +28,7 @@ HEIGHT, LOST = 9, 13
 
 
 def workspace() -> Floats:
-    """Return what the steps are reckoned in, which kernels cannot make."""
+    """Return the work arrays of the integrator, which kernels cannot allocate."""
     return np.empty((6, SIZE))
 
 
@@ -118,7 +118,7 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
 
 @called
 def changes_contact(y: Floats, h: float, edges: Floats) -> bool:
-    """Tell whether one of the ``edges`` begins or ends to touch the ground within AROUND times ``h``."""
+    """Return whether one of the ``edges`` touches or leaves the ground within AROUND times ``h``."""
     g1, g2 = 2 * (y[1] * y[3] - y[0] * y[2]), 2 * (y[2] * y[3] + y[0] * y[1])
     g3, side = 1 - 2 * (y[1] * y[1] + y[2] * y[2]), sqrt(g1 * g1 + g2 * g2)
     rising = g1 * y[5] - g2 * y[4]  # of g3
@@ -161,7 +161,7 @@ def advance(y: Floats, h: float, work: Floats, edges: Floats, ground: Ground) ->
 
 @called
 def down(y: Floats, edges: Floats) -> bool:
-    """Tell whether the ground is touched by anything but the tip, the first of ``edges``."""
+    """Return whether an edge other than the tip, the first, touches the ground."""
     g3 = 1 - 2 * (y[1] * y[1] + y[2] * y[2])
     side = sqrt(max(0.0, 1 - g3 * g3))
     for k in range(1, len(edges)):

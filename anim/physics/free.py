@@ -31,7 +31,7 @@ RESTING = 1.0
 
 @dataclass(frozen=True)
 class Contact:
-    """How a free top meets the ground. SI units.
+    """The contact of a free top with the ground: friction and stiffness. SI units.
 
     Raises :class:`~anim.errors.AnimationError` for a radius that is not positive, and for negative
     friction or rolling resistance.
@@ -148,7 +148,7 @@ class FreeTop(Stepped):
 
     @property
     def friction_rate(self) -> float:
-        """About how fast, in s⁻¹, friction under the weight takes slip away: μg/ε·(1 + ms²/I) at most."""
+        """The rate in s⁻¹ at which friction damps slip: at most μg/ε·(1 + ms²/I)."""
         i1, i3 = self.central / self.body.mass, self.body.axial / self.body.mass
         radius, height, rounding = self.edges.T
         out = (radius + rounding) ** 2
@@ -159,14 +159,16 @@ class FreeTop(Stepped):
 
     @property
     def edges(self) -> Floats:
-        """What can touch the ground, the tip first, (k, 3): radius, height above the centre, rounding."""
+        """The edges that can touch the ground, the tip first, (k, 3): radius, height above the centre,
+        rounding.
+        """
         ball, height = self.contact.radius, self.body.height
         rest = [(r, z - height, 0.0) for r, z in self.body.outline[1:]]
         return np.array([(0.0, ball - height, ball), *rest])
 
     @property
     def ground(self) -> "Ground":
-        """The constants that the integrator takes."""
+        """The constants of the ground for the integrator."""
         from anim.physics.contact import Ground
 
         body, launch, contact = self.body, self.launch, self.contact

@@ -23,7 +23,7 @@ CONTACT_TOLERANCE = 1e-3
 
 @dataclass(frozen=True)
 class Body:
-    """What the equations of motion need to know of a top whose tip is fixed. SI units.
+    """The mass, moments of inertia and centre of mass of a top whose tip is fixed. SI units.
 
     >>> from anim import Model
     >>> Body.turned(Model().profile).mass

@@ -1,4 +1,4 @@
-"""The heavy symmetric top, step by step: compiled, and the same lines in plain Python.
+"""Integrate the heavy symmetric top in steps, compiled or in plain Python from the same source.
 
 The state is the attitude q, a unit quaternion, and the angular velocity ω in the body's axes. With
 Γ = R⁻¹e_z, the vertical seen from the body,

@@ -18,7 +18,7 @@ EVERY = 32  # steps from one kept state to the next
 
 
 class Stepped:
-    """A motion of so many ``seconds`` that is followed in equal steps, none longer than ``longest_step``."""
+    """A motion of ``seconds`` that is integrated in equal steps, none longer than ``longest_step``."""
 
     seconds: float
 
@@ -29,7 +29,7 @@ class Stepped:
 
     @property
     def steps(self) -> int:
-        """The number of equal steps that are taken."""
+        """The number of steps."""
         return max(1, ceil(self.seconds / self.longest_step))
 
     @property
@@ -49,7 +49,7 @@ class Stepped:
 
 @dataclass(frozen=True)
 class Launch:
-    """How a top is set going, and what slows it down. SI units.
+    """The initial state of a top, and the forces that slow it down. SI units.
 
     Raises :class:`~anim.errors.AnimationError` for what is not a number, for a negative tilt or gravity, and
     for decay times that are not positive.
@@ -86,7 +86,7 @@ class Launch:
                 real(name, time, above=0)
 
     def without_friction(self) -> "Launch":
-        """Return the same launch of a top that nothing slows down."""
+        """Return the same launch without friction."""
         return replace(self, spin_decay=inf, tilt_decay=inf)
 
 

@@ -116,7 +116,7 @@ class HeavyTop(Stepped):
 
     @property
     def rates(self) -> "Rates":
-        """What the integrator takes for this top: its torque, its losses, where it touches."""
+        """The constants of this top for the integrator: torque, losses, contact."""
         from anim.physics.integrator import Rates
 
         body, launch = self.body, self.launch

@@ -1,4 +1,4 @@
-"""A canvas over matplotlib's Agg renderer that is made once and drawn on again and again.
+"""A reusable canvas over matplotlib's Agg renderer.
 
 No figure, no axes, no artists: outlines go straight to the renderer, and before each picture only the
 pixels touched by the last one are put back from the background.
@@ -41,7 +41,7 @@ class Canvas(Surface):
         self._touched = (self.width, self.height, 0, 0)
 
     def clear(self) -> None:
-        """Put the background back."""
+        """Restore the background."""
         left, top, right, bottom = self._touched
         self._words[top:bottom, left:right] = self._blank[top:bottom, left:right]
         self._touched = (self.width, self.height, 0, 0)
@@ -61,7 +61,7 @@ class Canvas(Surface):
         self._renderer.draw_path(self._context, path, self._identity, face)
 
     def touch(self, points: Floats, width: float) -> Box:
-        """Note that the box around ``points`` (k, 2) is drawn on; return it: left, top, right, bottom."""
+        """Mark the box around ``points`` (k, 2) as drawn; return it: left, top, right, bottom."""
         box = super().touch(points, width)
         t = self._touched
         self._touched = (min(t[0], box[0]), min(t[1], box[1]), max(t[2], box[2]), max(t[3], box[3]))

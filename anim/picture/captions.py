@@ -1,4 +1,4 @@
-"""Words in a strip above a frame: what moves the top, how far it leans, how fast it spins."""
+"""Captions in a strip above a frame: the model of motion, the tilt and the spin."""
 
 from functools import lru_cache
 from pathlib import Path

@@ -124,7 +124,8 @@ def shade(
     light: Floats,
     numbers: Floats,
 ) -> None:
-    """Write into ``grid`` (rows, columns), which begins at ``start`` (2,), what is left of the light there.
+    """Write the share of light that is left into ``grid`` (rows, columns), whose first point is ``start``
+    (2,).
 
     ``cones`` (k, 5) are radius and height on the axis of one end and of the other, and how fast the radius
     grows; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.

@@ -1,4 +1,4 @@
-"""Lines on pixels, compiled: how much of each pixel one covers, and what that leaves of what was there."""
+"""Draw antialiased lines by the share of each pixel that they cover, compiled."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The model without the circles and points whose absence a picture cannot show.
+"""Simplify the model: leave out circles and points that do not change the picture.
 
 A thousand points a ring are more than pixels can tell apart. Neighbouring faces of one colour become one as
 long as the straight edge stays within ``INVISIBLE`` pixels of the points left out; what it costs to draw a

@@ -1,4 +1,4 @@
-"""The visible faces of one convex piece, merged into a few outlines of one colour each.
+"""Merge the visible faces of one convex piece into outlines, one of each colour.
 
 Faces drawn one by one would let the far side shine through: where two antialiased edges meet, each covers
 half of a pixel, and a quarter of what lies beneath stays. So neighbouring faces of one colour become

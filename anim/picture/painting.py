@@ -26,7 +26,7 @@ HIDING_TOLERANCE = 0.003
 
 
 class Painter:
-    """Draws a model with given settings, one attitude a call.
+    """A painter of one model with given settings; each call draws one attitude.
 
     What :meth:`draw` returns depends on its arguments only. A painter reuses one canvas: use one a
     thread; it pickles as its model and settings, so that other processes can have their own.

@@ -65,7 +65,7 @@ class View:
         return np.column_stack([u / w, v / w])
 
     def magnification(self, points: Floats) -> float:
-        """Return the most pixels that a short way from any of ``points`` (k, 3) makes per unit of length."""
+        """Return the largest number of pixels per unit of length at any of ``points`` (k, 3)."""
         rows = self.matrix[[0, 1, 3]]
         u, v, w = (rows[:, :3] @ points.T + rows[:, 3:])[..., None]
         across, up = ((rows[n, :3] - seen / w * rows[2, :3]) / w for n, seen in enumerate((u, v)))

@@ -1,4 +1,4 @@
-"""The compiled painter of lit cones: each triangle by how much of every pixel it covers.
+"""Rasterise lit triangles by the share of each pixel that they cover, compiled.
 
 A solid of convex pieces needs no z-buffer: the faces of a piece that are turned to the eye lie side by side,
 so that their shares of a pixel add up, and the pieces come from front to back, each into what is left.
@@ -248,7 +248,7 @@ def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
 
 @called
 def behind(sums: Samples, cover: Samples, layer: Samples, reach: Indices, rows: int) -> None:
-    """Add a piece's ``layer`` to ``sums``, as far as what is before it leaves room, and empty the layer.
+    """Add a piece's ``layer`` to ``sums`` where pieces in front do not cover it, and clear the layer.
 
     Pieces that meet in a pixel are taken to lie side by side there, as they do along their common rim.
     """
@@ -278,7 +278,7 @@ def resolve(
     encoded: Bytes,
     covered: Samples,
 ) -> None:
-    """Write the means of a stripe, in linear light, over what is there; ``share`` is that of one moment."""
+    """Write the means of a stripe, in linear light; ``share`` is the weight of one moment."""
     steps, noted = len(encoded) - 1, len(covered) == len(pixels)
     for y in range(rows):
         for x in range(sums.shape[1]):

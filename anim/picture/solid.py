@@ -33,7 +33,7 @@ class Piece:
     planes: Floats
 
     def facing(self, eye: Floats) -> Booleans:
-        """Tell which faces (ring,) are turned towards the eye, a homogeneous point (4,) in its axes."""
+        """Return which faces (ring,) are turned towards the eye, a homogeneous point (4,) in its axes."""
         return np.asarray(self.planes @ eye > 0)
 
 

@@ -104,7 +104,7 @@ def _skeleton(model: Model) -> Pixels:
 
 
 def _in_fours(model: Model) -> Pixels:
-    """Draw figure 3.2: the four turns, two above two, with the circle through which the apex goes."""
+    """Draw figure 3.2: the four rotations in a 2 × 2 grid, with the circle of the apex."""
     around = np.linspace(0, 2 * np.pi, 181)
     height = (leaning(1) @ [0, 0, APEX_HEIGHT])[2]
     radius = np.sqrt(APEX_HEIGHT**2 - height**2)

@@ -19,7 +19,7 @@ PAPER: RGB = (246, 243, 236)
 
 
 class TopPainter(Protocol):
-    """What draws the top itself."""
+    """Draws the top."""
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view in the axes of the top, which ``rotation`` has turned."""
@@ -27,7 +27,7 @@ class TopPainter(Protocol):
 
 @runtime_checkable
 class Exposing(Protocol):
-    """A body that draws many moments at once, nearly at the price of one."""
+    """A body that draws the mean of many moments at about the cost of one."""
 
     def expose(
         self, canvas: Canvas, views: list[View], rotations: list[Floats], spin: float
@@ -36,14 +36,14 @@ class Exposing(Protocol):
 
 
 class Shadow(Protocol):
-    """What draws the top's shadow on the ground."""
+    """Draws the shadow of the top on the ground."""
 
     def draw(self, canvas: Any, rotation: Floats, tip: Floats) -> None:
         """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
 
 
 class Style(ABC):
-    """One way to draw: a module of :mod:`anim.picture.styles`, whose first line says what it is like."""
+    """A style of drawing: a module of :mod:`anim.picture.styles`, described by its first line."""
 
     paper = PAPER
     """The background where the settings have none."""
@@ -64,11 +64,11 @@ class Style(ABC):
         )
 
     def shadow(self, mesh: Mesh, light: Floats, view: View, settings: RenderSettings) -> Shadow:
-        """Return what draws the shadow: one with a sharp edge."""
+        """Return the painter of a shadow with a sharp edge."""
         return SharpShadow(mesh, light, view)
 
     @abstractmethod
     def body(
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings
     ) -> TopPainter:
-        """Return what draws the top in two colours; ``light`` (3,) points to where light comes from."""
+        """Return the painter of the top in two colours; ``light`` (3,) points towards the light."""

@@ -59,7 +59,7 @@ class Surface:
             draw_line(self.pixels, self._mask, points, width / 2, ink)
 
     def move(self, centre: Floats) -> None:
-        """Show the background as seen by a camera moved to ``centre`` (2,): plain paper stays as it is."""
+        """Show the background as seen by a camera moved to ``centre`` (2,); plain paper does not change."""
 
     def rgb(self) -> Pixels:
         """Return the picture, (height, width, 3)."""

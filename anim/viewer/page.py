@@ -1,4 +1,4 @@
-"""The page as text: the viewer's own files put into one, with the motion as JSON beside them.
+"""The page as text: the viewer's files and the motion as JSON, in one file.
 
 The page asks the network for nothing (its content security policy forbids it), so it works from a
 file. Attitudes travel as float32, four numbers a frame: 500 frames take 11 KB.
@@ -65,7 +65,7 @@ class Curve:
 
 
 def curves_of(motion: Motion) -> list[Curve]:
-    """Return tilt and energy of a motion that obeys physics; nothing for another."""
+    """Return tilt and energy of a simulated motion; nothing for any other."""
     if motion.record is None:
         return []
     from numpy import degrees

@@ -91,7 +91,7 @@ class TensorProduct:
 
     @property
     def reason(self) -> str:
-        """Why the index is what it is. Raises :class:`UndecidedError`."""
+        """The reason for the value of the index. Raises :class:`UndecidedError`."""
         return self._index[1]
 
     @cached_property
@@ -121,7 +121,8 @@ class TensorProduct:
     def _candidates(
         self, field: GlobalField, places: Collection[Any]
     ) -> Iterator[tuple[Any, Quaternion | None]]:
-        """Run through small scalars that are squares at none of the places, with roots in one where known.
+        """Yield small scalars that are squares at none of the places, with a known root where there is
+        one.
 
         The places are those where the two algebras ramify. Small elements of the field take turns with
         squares of small elements of the first algebra. Of the former more have the right signs at real
@@ -137,7 +138,7 @@ class TensorProduct:
                 yield a, x
 
     def _given(self, z: Quaternion) -> Slot | None:
-        """Return the slot of an element of trace 0 of one of the two, if it is one of the other, too."""
+        """Return the square of an element of trace 0 of one algebra, if the other has it too."""
         return self._of_square(-z.norm(), z)
 
     def _of_square(self, a: Any, given: Quaternion | None = None) -> Slot | None:
@@ -170,7 +171,7 @@ def pure_form(F: Any, c: Constants) -> list[Any]:
 
 
 def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
-    """Run through small elements of trace 0, not 0, one of ±x."""
+    """Yield small nonzero elements of trace 0, one of each pair ±x."""
     e, i, j, k = A.basis
     t = A.constants.t  # the trace of i, and of k it is 0
     pure = [i * 2 - e * t, j, k] if A.ring.characteristic != 2 else [e, j, k] if t else [e, i, j, k]
@@ -211,12 +212,12 @@ def _numbered(F: Any, n: int) -> Any:
 
 
 def _slots(A: Parent, bound: int) -> Iterator[Quaternion]:
-    """Run through small elements of trace 0 that are no scalars and have a square that is not 0."""
+    """Yield small elements of trace 0 that are not scalars and whose square is not 0."""
     return (x for x in pure_elements(A, bound) if x.vector_part and not A.ring.is_zero(x.norm()))
 
 
 def _splits(A: Parent) -> bool:
-    """Tell whether an algebra is known to split."""
+    """Return whether an algebra is known to split."""
     try:
         return not is_division(A.ring, A.constants)
     except UndecidedError:

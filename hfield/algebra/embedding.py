@@ -51,7 +51,7 @@ def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
 
 
 def _generators(source: Ring, target: Ring) -> dict[str, Scalar]:
-    """Return the images of the generators whose text alone would not tell them."""
+    """Return the images of generators whose names do not determine them."""
     if isinstance(source, ExtensionField):
         return {str(source.gen_name): _image(source, target)}
     own, below = source.images_in(target), source.constants

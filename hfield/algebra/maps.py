@@ -199,7 +199,7 @@ class Splitting(Verdict[Quaternion]):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Division(Verdict[None]):
-    """Why ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for the ``reason`` given.
+    """A proof that ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for ``reason``.
 
     It is false, for it is no splitting. ``places`` are the ramified places where they were computed;
     ``assumes`` the theorems cited.

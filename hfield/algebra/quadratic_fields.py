@@ -69,7 +69,7 @@ def _shown(A: Any, t: Any, n: Any) -> str:
 
 
 def _by_search(A: Parent, t: Any, n: Any) -> Embedding | None:
-    """Look among small pure elements, and for residues that forbid one; None where neither is found."""
+    """Search small pure elements, and residues that exclude one; None where neither is found."""
     F: Any = A.ring
     if F.characteristic == 2:
         return None

@@ -1,4 +1,4 @@
-"""The element: one quaternion, or an array of them, with the same methods."""
+"""Elements of quaternion algebras: one quaternion or an array of them, with the same methods."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _REFLECTED = {
 
 
 class Parent(Protocol):
-    """What an element asks of its algebra: :class:`hfield.algebra.QuaternionAlgebra`."""
+    """What an element uses of its algebra, a :class:`hfield.algebra.QuaternionAlgebra`."""
 
     ring: Ring
     constants: Constants
@@ -174,11 +174,11 @@ class Quaternion(Hinted, PrintedBySympy):
         return from_stored(self._algebra, how, how.encode(coordinates))
 
     def _alike(self, stored: Any) -> Quaternion:
-        """Return the element with another stored value of the same storage."""
+        """Return an element with another stored value in the same storage."""
         return from_stored(self._algebra, self._how, stored)
 
     def _operand(self, other: object, operation: str) -> Quaternion:
-        """Bring the other operand into this algebra."""
+        """Convert the other operand to this algebra."""
         if isinstance(other, str):
             raise CoercionError(
                 f"cannot {operation} a quaternion and a text; read it first: A({other!r})"
@@ -353,7 +353,8 @@ class Quaternion(Hinted, PrintedBySympy):
     # --- what the algebra knows of it ----------------------------------------------------------
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
-        """Let numpy's ``abs``, ``exp``, ``log`` and ``sqrt`` act, and ``array * q`` be a product of ours.
+        """Support numpy's ``abs``, ``exp``, ``log``, ``sqrt``, and ``array * q`` as a product of
+        quaternions.
 
         Without it numpy would distribute ``array * q`` over the entries of the array.
         """
@@ -399,7 +400,7 @@ class Quaternion(Hinted, PrintedBySympy):
     inv = inverse
 
     def is_zero(self) -> Any:
-        """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
+        """Return whether the quaternion is 0; of an array, which entries are, as a bool array."""
         return self._how.is_zero(self._stored)
 
     def _single(self) -> tuple[Ring, Constants, Coordinates]:
@@ -490,7 +491,7 @@ class Quaternion(Hinted, PrintedBySympy):
     # --- variables -----------------------------------------------------------------------------
 
     def subs(self, values: Mapping[Any, object] | None = None, /, **named: object) -> Quaternion:
-        """Return q with values put in for variables, all at once, in the structure constants too.
+        """Return q with values substituted for variables, simultaneously, also in the structure constants.
 
         Variables are symbols of sympy or names; values whatever the ring reads. If every variable has a value
         the result lies over the ring of constants, or over RR or CC where a value is algebraic; else over the
@@ -539,7 +540,7 @@ class Quaternion(Hinted, PrintedBySympy):
         return set(map(sympy.Symbol, names))
 
     def _mapped(self, algebra: Parent, change: Callable[[Scalar], Any]) -> Quaternion:
-        """Return the element of an algebra whose coordinates are those of this one, changed."""
+        """Return the element of an algebra with the mapped coordinates of this one."""
         if not self.is_batch:
             return algebra(*map(change, self.coordinates))
         scalar = self.ring.scalar
@@ -672,11 +673,11 @@ class Quaternion(Hinted, PrintedBySympy):
     # --- units and zero divisors ---------------------------------------------------------------
 
     def is_unit(self) -> bool:
-        """Tell whether q has an inverse: its norm is a unit of the base ring."""
+        """Return whether q has an inverse: its norm is a unit of the base ring."""
         return structure.is_unit(*self._single())
 
     def is_zero_divisor(self) -> bool:
-        """Tell whether q·y = 0 for some y ≠ 0. By this definition 0 is a zero divisor."""
+        """Return whether q·y = 0 for some y ≠ 0. By this definition 0 is a zero divisor."""
         ring, c, q = self._single()
         return ring.annihilator(product.norm(c, q)) is not None
 
@@ -741,11 +742,11 @@ class Quaternion(Hinted, PrintedBySympy):
         return Coefficients(ring, structure.characteristic_polynomial(ring, constants, q))
 
     def is_nilpotent(self) -> bool:
-        """Tell whether some power of q is 0."""
+        """Return whether some power of q is 0."""
         return structure.is_nilpotent(*self._single())
 
     def is_idempotent(self) -> bool:
-        """Tell whether ``q² = q``."""
+        """Return whether ``q² = q``."""
         return structure.is_idempotent(*self._single())
 
     def square_roots(self) -> SquareRoots:
@@ -779,7 +780,7 @@ class Quaternion(Hinted, PrintedBySympy):
         return Verdict(found.value, found.reason, x)
 
     def conjugator(self, other: object) -> Quaternion | None:
-        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
+        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` gives the reason.
 
         In a central simple algebra there is one exactly when both have the same minimal polynomial
         (Skolem and Noether).
@@ -801,7 +802,7 @@ class Quaternion(Hinted, PrintedBySympy):
         return self.shape[0]
 
     def __getitem__(self, index: Index) -> Quaternion:
-        """Take elements out of an array of quaternions, as numpy indexes arrays."""
+        """Index an array of quaternions as numpy does."""
         how = self._how
         if not isinstance(how, BatchStorage) or not how.shape(self._stored):
             raise CoercionError("a single quaternion cannot be indexed; use q.coordinates[n]")
@@ -957,11 +958,11 @@ class Polar(NamedTuple):
 
 
 class TooManyError(NotFiniteError, OverflowError):
-    """More than ``len`` can tell: a TypeError to ``list``, which then goes on without the length."""
+    """The number exceeds ``sys.maxsize``; a TypeError, which ``list`` ignores."""
 
 
 class SquareRoots:
-    """The square roots of ``element``: ``x in roots`` asks, iteration lists those that are known.
+    """The square roots of ``element``: ``x in roots`` tests one, iteration lists the known ones.
 
     All are listed when they are finitely many. Over an infinite field a scalar may have a whole
     quadric of roots, the elements of trace 0 and norm −s: then ``is_finite`` is False and of these
@@ -997,7 +998,7 @@ class SquareRoots:
                 yield -self.quadric
 
     def _quadric(self) -> Iterator[Quaternion]:
-        """Run through the elements of trace 0 and norm −s over a finite field."""
+        """Yield the elements of trace 0 and norm −s over a finite field."""
         A = self.element.algebra
         return (A(*x) for x in structure.quadric(A.ring, A.constants, self.element.scalar_part))
 
@@ -1061,12 +1062,12 @@ def _first(flags: np.ndarray) -> tuple[int, ...]:
 
 
 def is_array(x: object) -> bool:
-    """Tell whether a coordinate is an array; a 0-dimensional one counts."""
+    """Return whether a coordinate is an array; a 0-dimensional one counts."""
     return hasattr(x, "dtype") and hasattr(x, "ndim")
 
 
 def is_many(value: Any) -> bool:
-    """Tell whether a coordinate stands for many."""
+    """Return whether a coordinate is an array."""
     if type(value) is int:
         return False
     return isinstance(value, (list, tuple)) or (is_array(value) and value.ndim > 0)
@@ -1075,6 +1076,6 @@ def is_many(value: Any) -> bool:
 def _from_states(
     element: type[Quaternion], algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]
 ) -> Quaternion:
-    """Make an array of quaternions again from what stood for its entries, where it was pickled."""
+    """Rebuild an array of quaternions from its pickled state."""
     w, x, y, z = (algebra.ring.array(row).reshape(shape) for row in rows)
     return element(algebra, (w, x, y, z))

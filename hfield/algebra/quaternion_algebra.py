@@ -284,7 +284,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return element
 
     def _lift(self, name: str, function: Any) -> Any:
-        """Let a function of the ring, such as sqrt, act on scalar multiples of e."""
+        """Apply a function of the ring, such as sqrt, to scalar multiples of e."""
         if isinstance(function, syntax.OfTrees):
             return function.then(self.scalar)
 
@@ -333,7 +333,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self(0, 0, 0, 0)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Run through all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
+        """Yield all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
         F = self.ring
         # a few are kept, many made anew again and again
         few = list(F.elements()) if self._order_of_ring() <= LISTED else None
@@ -476,7 +476,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def _substituted(
         self, values: Mapping[str, object]
     ) -> tuple[QuaternionAlgebra, Callable[[Scalar], Any]]:
-        """Return the algebra whose constants have values put in for variables, and the map of scalars."""
+        """Return the algebra with values substituted in its constants, and the map of scalars."""
         ring, value = substitution(self.ring, values)
         a, t, b = map(value, self.constants)
         return QuaternionAlgebra(ring, a, b, t), value
@@ -558,7 +558,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return q if self == A else self(*map(A._into(self.ring), q.coordinates))
 
     def explain_product(self) -> None:
-        """Print the function that multiplies two elements: the one formula with these constants put in.
+        """Print the function that multiplies two elements: the general formula with these constants.
 
         >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
         # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
@@ -592,7 +592,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     centre = center
 
     def is_commutative(self) -> bool:
-        """Tell whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
+        """Return whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
         return structure.is_commutative(*self._here())
 
     def radical(self) -> tuple[Quaternion, ...]:
@@ -624,7 +624,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return quotient(self, elements)
 
     def is_central_simple(self) -> bool:
-        """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
+        """Return whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
         return structure.is_central_simple(*self._here())
 
     def derivations(self) -> tuple[LinearMap, ...]:
@@ -669,7 +669,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return None if found is None else self(*found)
 
     def is_division_algebra(self, factors: Factors | None = None) -> bool:
-        """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
+        """Return whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
         with known_primes(factors):
             return quadratic_forms.is_division(*self._here())
 
@@ -792,7 +792,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return other.constants
 
     def is_isomorphic(self, other: object, factors: Factors | None = None) -> bool:
-        """Tell whether two algebras over one field are isomorphic.
+        """Return whether two algebras over one field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
@@ -813,7 +813,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     # --- finite fields -------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
-        """Return how many elements there are, over a finite ring.
+        """Return the number of elements, over a finite ring.
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
         of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
@@ -1011,7 +1011,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return subalgebras(self, dimension)
 
     def is_simple(self) -> bool:
-        """Tell whether there are no two-sided ideals but 0 and all.
+        """Return whether there are no two-sided ideals but 0 and all.
 
         Over a field it is the same as :meth:`is_semisimple`: a degenerate algebra has a radical, or it is
         a field, inseparable of degree 4. Over another ring multiples of its ideals are ideals.
@@ -1024,7 +1024,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return bool(self.ring.is_field) and not structure.radical(*self._here())
 
     def is_semisimple(self) -> bool:
-        """Tell whether every left ideal is a direct summand. Raises :class:`UndecidedError`.
+        """Return whether every left ideal is a direct summand. Raises :class:`UndecidedError`.
 
         >>> H("GF(3)").is_semisimple(), H("GF(2)").is_semisimple(), H("ZZ/15").is_semisimple()
         (True, False, True)
@@ -1032,7 +1032,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return structure.is_semisimple(*self._here())
 
     def is_local(self) -> bool:
-        """Tell whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
+        """Return whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
 
         >>> H("QQ").is_local(), H("GF(3)").is_local(), H("GF(2)").is_local(), H("ZZ/8").is_local()
         (True, False, True, True)

@@ -231,7 +231,7 @@ class StructureAlgebra:
         return AlgebraElement(self, (self.ring.zero,) * self.dimension)
 
     def elements(self) -> Iterator[AlgebraElement]:
-        """Run through all elements over a finite ring. Raises :class:`NotFiniteError`."""
+        """Yield all elements over a finite ring. Raises :class:`NotFiniteError`."""
         values = list(self.ring.elements())
         return (AlgebraElement(self, v) for v in itertools.product(values, repeat=self.dimension))
 
@@ -262,7 +262,7 @@ class StructureAlgebra:
         return Associativity(True)
 
     def is_commutative(self) -> bool:
-        """Tell whether x·y = y·x always: whether the table is symmetric."""
+        """Return whether x·y = y·x always: whether the table is symmetric."""
         pairs = itertools.combinations(self.basis, 2)
         return all(x * y == y * x for x, y in pairs)
 
@@ -344,7 +344,7 @@ class StructureAlgebra:
     centre = center
 
     def zero_divisors(self) -> Iterator[AlgebraElement]:
-        """Run through the zero divisors over a finite ring, 0 among them. Raises :class:`NotFiniteError`.
+        """Yield the zero divisors over a finite ring, 0 among them. Raises :class:`NotFiniteError`.
 
         >>> B = StructureAlgebra("GF(3)", [["a", "0*a"], ["0*a", "b"]], names="a b")
         >>> list(B.zero_divisors())
@@ -470,7 +470,7 @@ class AlgebraElement:
         return out
 
     def is_zero_divisor(self) -> bool:
-        """Tell whether x·y = 0 or y·x = 0 for some y ≠ 0; so is 0.
+        """Return whether x·y = 0 or y·x = 0 for some y ≠ 0; so is 0.
 
         Raises :class:`UndecidedError` over rings over which kernels are not found.
         """
@@ -522,7 +522,7 @@ class AlgebraElement:
 
 
 class _Term:
-    """What a text is made of while it is read: a scalar, which needs no unit, plus a vector."""
+    """A partly read text: a scalar, which needs no unit, plus a vector."""
 
     def __init__(
         self, algebra: StructureAlgebra, products: bool, number: Scalar, vector: Vector

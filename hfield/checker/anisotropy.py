@@ -54,7 +54,7 @@ def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[
 
 
 def is_certified(algebra: str, ring: object, data: object) -> bool:
-    """Tell whether this shows that the norm form of a named algebra is 0 only at 0."""
+    """Return whether this shows that the norm form of a named algebra is 0 only at 0."""
     try:
         with bounded():
             field, c = constants_of(algebra, ring)
@@ -65,7 +65,7 @@ def is_certified(algebra: str, ring: object, data: object) -> bool:
 
 
 def is_readable(algebra: str, ring: object) -> bool:
-    """Tell whether this module can read the constants of an algebra and the places of its field."""
+    """Return whether this module can read the constants of an algebra and the places of its field."""
     try:
         field, _ = constants_of(algebra, ring)
     except Rejected:
@@ -99,7 +99,7 @@ def _quaternion(field: Ring, value: object) -> list[Hashable]:
 
 
 def _by_ordering(field: Ring, c: Constants) -> None:
-    """Let 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, where d and b are negative."""
+    """Use 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, with d and b negative."""
     a, t, b = c
     d = field.add(field.mul(t, t), field.mul(field.number(4), a))
     signs = zip(field.signs(d), field.signs(b), strict=True)  # None where there is no ordering
@@ -108,7 +108,7 @@ def _by_ordering(field: Ring, c: Constants) -> None:
 
 
 def _by_level(field: Ring, c: Constants) -> None:
-    """Let −1 be no sum of two squares, in an algebra H(F)."""
+    """Use that −1 is not a sum of two squares, in an algebra H(F)."""
     a, t, b = c
     hamilton = all(field.equal(x, field.number(n)) for x, n in ((a, -1), (t, 0), (b, -1)))
     if not hamilton or field.characteristic == 2 or not field.level_above(2):
@@ -118,7 +118,8 @@ def _by_level(field: Ring, c: Constants) -> None:
 def _by_place(
     field: Ring, c: Constants, place: Place, u: list[Hashable], j: list[Hashable]
 ) -> None:
-    """Let X² − tr(u)·X + N(u) be integral without root among the residues, N(j) as odd as ``odd`` is.
+    """Use that X² − tr(u)·X + N(u) is integral without a root in the residue ring, and N(j) has odd
+    valuation.
 
     Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
     """

@@ -1,4 +1,4 @@
-"""A budget of work for one file: whatever takes time or memory is paid for before it begins.
+"""A budget of work for one file: each step spends its cost before it begins.
 
 A unit is a microsecond and 100 bytes at worst, whichever is reached first; docs/explanation/trust.md has
 measurements. A function that computes with long numbers pays for their lengths itself.
@@ -25,7 +25,7 @@ class Budget:
 
     @property
     def spent(self) -> int:
-        """How many units were spent; more than there were where the file was rejected for that."""
+        """The units spent; more than the budget if the file was rejected for it."""
         return round(self.millions * 1e6) - self.left
 
 
@@ -34,7 +34,7 @@ _current: ContextVar[Budget | None] = ContextVar("budget", default=None)
 
 @contextmanager
 def bounded(budget: Budget | None = None) -> Iterator[Budget]:
-    """Bound the work of what runs inside."""
+    """Bound the work inside the ``with``."""
     budget = budget or Budget()
     token = _current.set(budget)
     try:
@@ -57,14 +57,14 @@ def spend(units: int) -> None:
 
 
 def spend_products(some: Collection[int], others: Collection[int]) -> None:
-    """Spend what multiplying, dividing or reducing each of some numbers by each of others costs."""
+    """Spend the cost of multiplying, dividing or reducing each of some numbers by each of others."""
     bits, more = (sum([n.bit_length() for n in numbers]) for numbers in (some, others))
     linear = bits * len(others) + more * len(some)
     spend(len(some) * len(others) + linear // 1_000 + bits * more // 500_000)
 
 
 def spend_inverse(modulus: int) -> None:
-    """Spend what an inverse modulo a number costs: Python has no fast algorithm for it."""
+    """Spend the cost of a modular inverse, for which Python has no fast algorithm."""
     bits = modulus.bit_length()
     spend(5 + bits // 10 + bits * bits // 15_000)
 

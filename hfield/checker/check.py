@@ -53,17 +53,17 @@ class Established:
 
     @property
     def theorems(self) -> tuple[str, ...]:
-        """What is cited of the theorems that are listed."""
+        """The cited theorems that are on the list."""
         return tuple(text for text in self.assumes if text in THEOREMS)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """What is cited and is not a theorem that is listed."""
+        """The cited assumptions that are not on the list of theorems."""
         return tuple(text for text in self.assumes if text not in THEOREMS)
 
     @property
     def where(self) -> str:
-        """How far the verdict reaches, in words."""
+        """The scope of the verdict, in words."""
         if self.field is not None:
             return f"over {one_line(self.field)}"
         if self.scope == FIELD:
@@ -90,7 +90,8 @@ class Established:
 
 @dataclass(frozen=True)
 class ExpectedClaim:
-    """What a certificate has to be about. ``field`` None is all fields; ``any_field`` any at all.
+    """The claim that a certificate must be about. ``field`` None is all fields; ``any_field`` accepts any
+    field.
 
     Statements are compared as trees, algebras as constants; ``statements`` are alternatives. ``field`` is a
     canonical name or the data of a ring. No unknown may mean an element of the field; but where that is
@@ -110,7 +111,7 @@ class ExpectedClaim:
         return self
 
     def check(self, statement: str, setting: Setting) -> None:
-        """Reject a certificate about anything else."""
+        """Reject a certificate about another claim."""
         said, ring = meaning(statement), setting.field
         if not any(said == meaning(s) for s in self.statements):
             reject(f"this is about another statement: {shown(statement, 120)}")
@@ -135,7 +136,7 @@ def _unknowns(tree: Tree) -> set[str]:
 
 
 def same_algebra(one: Setting, other: Setting) -> bool:
-    """Tell whether the structure constants are equal wherever those of one of the two are defined.
+    """Return whether the structure constants are equal wherever those of one of the two are defined.
 
     Tables are the same where names, products and unit are written alike.
     """
@@ -157,7 +158,7 @@ def same_algebra(one: Setting, other: Setting) -> bool:
 def check_text(
     text: str, expected: ExpectedClaim | None = None, budget: Budget | None = None
 ) -> Established:
-    """Check a certificate from its JSON text, with no more than this work. Raises :class:`Rejected`."""
+    """Check a certificate from its JSON text within a budget of work. Raises :class:`Rejected`."""
     budget = budget or Budget()
     with bounded(budget):
         data = read_json(text)

@@ -30,7 +30,7 @@ class CheckResult:
         return replace(self, scope=min(self.scope, scope, key=WIDTH.__getitem__))
 
     def by(self, method: str) -> "CheckResult":
-        """Return the same, by a method of another name."""
+        """Return the result with another method name."""
         return replace(self, method=method)
 
     def citing(self, *theorems: str) -> "CheckResult":
@@ -38,12 +38,12 @@ class CheckResult:
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
     def without(self, *texts: str) -> "CheckResult":
-        """Return the same, with more left out."""
+        """Return the result with further exceptions."""
         return replace(self, left_out=tuple(dict.fromkeys((*self.left_out, *texts))))
 
 
 def together(findings: Iterable[CheckResult]) -> CheckResult:
-    """Return what several findings show that are all needed: the narrowest scope, and each method once."""
+    """Return the joint result of several checks: the narrowest scope, and each method once."""
     every = list(findings)
     return CheckResult(
         min((f.scope for f in every), key=WIDTH.__getitem__, default=COMMUTATIVE_RINGS),

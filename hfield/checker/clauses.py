@@ -225,7 +225,7 @@ def _clause(literals: frozenset[Formula]) -> Clause:
 
 
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
-    """Divide by factors that are known not to be 0, as often as they divide."""
+    """Divide by factors known to be nonzero, as often as they divide."""
     spend(1 + len(known))
     for factor in known:
         while f and factor not in (constant(1), constant(-1)):

@@ -21,7 +21,7 @@ T = TypeVar("T")  # what stands for a truth
 
 
 class Scalars(Protocol[S, T]):
-    """What an evaluation computes with; a condition is a scalar that must be a unit."""
+    """The arithmetic of an evaluation; a condition is a scalar that must be a unit."""
 
     zero: S
     one: S
@@ -92,7 +92,7 @@ class Evaluator(Generic[S, T]):
         return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
 
     def product(self, x: Quaternion, y: Quaternion, wanted: range = range(4)) -> Quaternion:
-        """Return x·y, of which only the coordinates asked for are worked out, the others 0."""
+        """Return x·y; only the wanted coordinates are computed, the others are 0."""
         s = self.s
         spend(20)
         out = [s.zero] * 4

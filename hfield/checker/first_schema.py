@@ -23,7 +23,7 @@ ReadPlace = Callable[[str, Mapping[str, Any] | None], Mapping[str, Any]]
 
 
 def current(data: object) -> object:
-    """Return a certificate of the first schema in today's, by the table; anything else as it is."""
+    """Convert a certificate of the first schema to the current one; return anything else unchanged."""
     if isinstance(data, dict) and data.get("schema") == FIRST_SCHEMA:
         return upgraded(data, spelled, spelled_place)
     return data
@@ -66,7 +66,7 @@ def _with_data(
 
 
 def spelled(name: str) -> Mapping[str, Any]:
-    """Return the data of a ring by its name, of those in the table. Raises :class:`Rejected` for others."""
+    """Return the data of a ring by its name in the table. Raises :class:`Rejected` for others."""
     if name not in _table():
         reject(f"{shown(name)!r} is no name that is read in a certificate {FIRST_SCHEMA}; {HINT}")
     return _table()[name]

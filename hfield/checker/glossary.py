@@ -212,7 +212,7 @@ _CONSTANT = re.compile(
 
 
 def reads_like_a_constant(name: str) -> bool:
-    """Tell whether a reader may take the name for a number, a place or a ring, as ``zeta5`` or ``inf``.
+    """Return whether the name could be read as a number, a place or a ring, as ``zeta5`` or ``inf``.
 
     The rational functions in such a variable are written ``Frac(QQ[zeta5])``.
     """

@@ -163,7 +163,7 @@ def texts_of_polynomials(data: object) -> list[str]:
 
 
 def _proportional(f: Poly, g: Poly, p: int) -> bool:
-    """Tell whether f = λ·g with a number λ that is not 0 in characteristic p."""
+    """Return whether f = λ·g with a number λ that is not 0 in characteristic p."""
     spend(3 * (len(f) + len(g)))
     f, g = modulo(f, p), modulo(g, p)
     if not f or not g or f.keys() != g.keys():

@@ -69,7 +69,7 @@ def children(tree: Tree) -> tuple[Tree, ...]:
 
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
-    """Put trees in the place of names (there is no ``exists`` in ``tree``)."""
+    """Substitute trees for names (there is no ``exists`` in ``tree``)."""
     spend(1)
     if tree[0] == "name":
         return values.get(tree[1], tree)
@@ -133,7 +133,7 @@ class _Parser:
         reject(f"cannot read {shown(self.text)!r} at {shown(self.word) or 'its end'!r}: {why}")
 
     def next(self, *expected: str) -> str:
-        """Take the next word if it is one of those expected, else return ''."""
+        """Consume the next word if it is one of the expected ones, else return ''."""
         word = self.word
         if word and word in expected:
             self.at += 1
@@ -141,7 +141,7 @@ class _Parser:
         return ""
 
     def need(self, word: str) -> None:
-        """Take this word or fail."""
+        """Consume this word, or fail."""
         if not self.next(word):
             self.fail(f"expected {word!r}")
 
@@ -161,7 +161,7 @@ class _Parser:
         return left
 
     def prefix(self, strength: int) -> Tree:
-        """Read what may stand in front of an operand, and the operand."""
+        """Read an operand with its prefix operators."""
         word = self.next("exists", "not", "-", "+")
         if not word:
             return self.power()

@@ -213,7 +213,7 @@ def _product(left: Value, right: Value) -> Value:
 
 
 def _may_be_undefined(tree: Tree) -> bool:
-    """Tell whether a term divides."""
+    """Return whether a term divides."""
     divides = tree[0] == "/" or (tree[0] == "call" and tree[1] == "inv")
     fraction = tree[0] == "num" and not isinstance(tree[1], int)
     power = tree[0] == "pow" and tree[2] < 0

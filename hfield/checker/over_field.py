@@ -65,7 +65,7 @@ class EvaluationContext:
             reject("the structure constants of the algebra are defined nowhere")
 
     def vanishes(self, f: Frozen | Poly) -> bool:
-        """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""
+        """Return whether f is 0 in the field (as a function, over a finite field)."""
         spend(1 + 2 * len(f))
         key = f if isinstance(f, frozenset) else frozenset(f.items())
         if key not in self._known:
@@ -73,13 +73,14 @@ class EvaluationContext:
         return self._known[key]
 
     def is_trivial(self, clause: Clause) -> bool:
-        """Tell whether a goal vanishes entirely, or a hypothesis is a nonzero constant."""
+        """Return whether a goal vanishes entirely, or a hypothesis is a nonzero constant."""
         if any(all(map(self.vanishes, goal)) for goal in clause.goals):
             return True
         return any(self.is_nonzero(z) for z in clause.zeros)
 
     def is_identity(self, clause: Clause) -> bool:
-        """Tell whether a clause is trivial, or a goal vanishes times all goals that are one polynomial.
+        """Return whether a clause is trivial, or the product of its single-polynomial goals and one goal
+        is 0.
 
         Where such a goal is 0, the clause is true. Over a finite field a product may vanish alone.
         """
@@ -96,14 +97,14 @@ class EvaluationContext:
         )
 
     def is_nonzero(self, f: Frozen) -> bool:
-        """Tell whether f is a constant other than 0 there (for all fields: ±1)."""
+        """Return whether f is a nonzero constant there (for all fields: ±1)."""
         found = self.coefficients(dict(f), False)
         if set(found) != {ONE}:
             return False
         return self.ring is not None or bool(self.p) or found[ONE] in (1, -1)
 
     def is_constant(self, f: Poly) -> bool:
-        """Tell whether f is a polynomial in the constants of a field that is named."""
+        """Return whether f is a polynomial in the constants of the named field."""
         return self.ring is not None and variables(f) <= self._values.keys()
 
     def same(self, f: Poly) -> Frozen:
@@ -126,7 +127,7 @@ class EvaluationContext:
 
 
 def evaluation_context(statement: Statement, setting: Setting) -> EvaluationContext:
-    """Expand the statement; the algebra must exist somewhere, and "not 0" mean what has an inverse."""
+    """Expand the statement; the algebra must exist somewhere, and nonzero must mean invertible."""
     ring = setting.field
     if ring is not None and not ring.is_field and statement.divides:
         reject(f"a statement that divides is shown over {ring.name} by all cases only")

@@ -123,7 +123,7 @@ def times(m: Monomial, n: Monomial) -> Monomial:
 
 
 def _collect(f: Poly, m: Monomial, c: int) -> None:
-    """Add c·m to f; where that is long, so was what it was made of, which is paid for here."""
+    """Add c·m to f; its cost was spent with its factors."""
     total = f.get(m, 0) + c
     bits = total.bit_length()
     if bits > LONG_NUMBER_BITS:
@@ -155,7 +155,7 @@ def modulo(f: Poly, p: int) -> Poly:
 
 
 def is_constant(f: Poly) -> bool:
-    """Tell whether f is a constant other than 0."""
+    """Return whether f is a constant other than 0."""
     return len(f) == 1 and ONE in f
 
 

@@ -71,7 +71,9 @@ def _names(tree: Tree) -> set[str]:
 
 
 def is_false_at(statement: Statement, setting: Setting, ring: Ring, values: object) -> bool:
-    """Tell whether a statement is false for values that are elements of a ring, read as real numbers too."""
+    """Return whether a statement is false for values that are elements of a ring, read as real numbers
+    too.
+    """
     assert statement.ordered is not None
     read_values(ring, values, _unknowns(statement))
     found = read_values(REALS, values, _unknowns(statement))

@@ -186,11 +186,11 @@ class _StatementReader:
         )
 
     def is_constant(self, tree: Tree) -> bool:
-        """Tell whether a tree means an element of the field."""
+        """Return whether a tree means an element of the field."""
         return self.field is not None and self.field.constant(tree) is not None
 
     def is_scalar(self, tree: Tree) -> bool:
-        """Tell whether a term is a scalar."""
+        """Return whether a term is a scalar."""
         return sort_of(tree, self.setting)[0] == "s"
 
     def unknown(self, name: str) -> str | None:

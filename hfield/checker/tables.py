@@ -42,7 +42,7 @@ class Table:
 
 
 def is_table(algebra: str) -> bool:
-    """Tell whether the text of an algebra is that of a table."""
+    """Return whether the text of an algebra is that of a table."""
     return algebra.startswith("table(")
 
 
@@ -111,7 +111,7 @@ class _Linear:
         return [ZERO if self.ring.is_zero(self.ring.value(c, text)) else c for c in found]
 
     def is_scalar(self, tree: Tree) -> bool:
-        """Tell whether no basis vector stands in a term."""
+        """Return whether no basis vector stands in a term."""
         return not any(node[0] == "name" and node[1] in self.names for node in walk(tree))
 
     def vector(self, tree: Tree) -> Vector:
@@ -172,7 +172,7 @@ class _TableWriter:
                 reject("the field has an element with the name of a coordinate")
 
     def is_constant(self, name: str) -> bool:
-        """Tell whether a name means an element of the field."""
+        """Return whether a name means an element of the field."""
         return self.table.ring.constant(("name", name)) is not None
 
     def truth(self, tree: Tree) -> Tree:
@@ -261,7 +261,7 @@ class _TableWriter:
         return tree
 
     def power(self, x: Value, exponent: int) -> Value:
-        """Multiply from the left on."""
+        """Return the left-associated power."""
         if isinstance(x, tuple):
             power = ("pow", x, exponent)
             if exponent < 0:
@@ -320,7 +320,7 @@ def _negative(x: Vector) -> Vector:
 
 
 def _total(terms: Vector) -> Tree:
-    """Add in halves, so that the tree stays low."""
+    """Add by halves, which keeps the tree low."""
     while len(terms) > 1:
         pairs = zip(terms[::2], [*terms[1::2], None], strict=False)
         terms = [x if y is None else ("+", x, y) for x, y in pairs]

@@ -18,7 +18,7 @@ ARGUMENTS = {"dot": 2, "cross": 2, "abs": 1}
 
 
 def has_order_words(tree: Tree) -> bool:
-    """Tell whether a statement has a comparison or a modulus, which need an ordered field."""
+    """Return whether a statement has a comparison or a modulus, which need an ordered field."""
     return any(node[0] in ORDER or node[:2] == ("call", "abs") for node in walk(tree))
 
 

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class OutputDocument:
-    """The JSON and the page, other formats by name, and the exit status; only one format is computed."""
+    """An answer in all formats, JSON, text and others, with its exit status; only the wanted format is
+    computed.
+    """
 
     data: Callable[[], Mapping[str, object]]
     page: Callable[[TerminalStyle], str]
@@ -57,7 +59,7 @@ def of_styles(
 
 
 def answer_one(args: Namespace, answer: Callable[[], OutputDocument]) -> int:
-    """Open the output, and only then find the answer; write it, and return its exit status."""
+    """Open the output, compute the answer, write it, and return its exit status."""
     with open_output(args.output) as out:
         found = answer()
         found.write(out, args)

@@ -127,7 +127,7 @@ def _foreign() -> dict[str, EntryPoint]:
 
 
 def _described(point: EntryPoint) -> tuple[str, str]:
-    """Return ``HEADING`` and ``SUMMARY`` of a command of another package, or what stands for them."""
+    """Return ``HEADING`` and ``SUMMARY`` of a command of another package, or defaults."""
     try:
         module = point.load()
     except Exception as error:  # one broken package does not take the help away from the others

@@ -39,7 +39,7 @@ SECONDS_A_CLASS = 5e-4
 
 
 def add_answers(parser: ArgumentParser) -> None:
-    """Declare the file for a certificate, the primes that are known, formats and the output."""
+    """Declare the options --certificate, --factors, --format and --output."""
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_factors(parser)
     add_format(parser, "plain", "json", "latex")
@@ -53,7 +53,7 @@ def answer_certified(
         [Namespace], tuple[OutputDocument, Callable[[], CertifiedClaim | Verdict[Any]]]
     ],
 ) -> int:
-    """Answer, and write a certificate with --certificate; primes given as factors are used."""
+    """Answer the command, with the primes of --factors, and write a certificate with --certificate."""
     with given_factors(args), open_output(args.certificate) as file:
 
         def certified() -> OutputDocument:
@@ -70,7 +70,7 @@ def answer_certified(
 
 
 def add_class_search(parser: ArgumentParser) -> None:
-    """Declare the workers that look for classes, and the file that keeps what they have found."""
+    """Declare the options --jobs and --resume of a search for classes."""
     parser.add_argument(
         "--resume",
         metavar="FILE",
@@ -81,7 +81,7 @@ def add_class_search(parser: ArgumentParser) -> None:
 
 @contextmanager
 def class_search(args: Namespace) -> Iterator[Executor | None]:
-    """Yield the executor that looks for classes, or None to find them here.
+    """Yield the executor for a search of classes, or None to search in this process.
 
     Raises :class:`OutputError` where the file cannot be written.
     """
@@ -138,7 +138,7 @@ def algebra_of(text: str) -> QuaternionAlgebra:
 
 
 def announce(number: int, seconds: float, instead: str) -> None:
-    """Say before a long enumeration how many classes there are, how long it takes, and what to do instead."""
+    """Announce a long enumeration: the number of classes, the time, and the alternative."""
     from hfield.orders.classes import MAX_CLASSES
 
     if seconds < PATIENCE or number > MAX_CLASSES:  # more are refused at once

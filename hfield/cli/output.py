@@ -63,7 +63,7 @@ class Sink:
         print(text, file=self.stream)
 
     def write_latex(self, text: str, standalone: bool) -> None:
-        """Write a piece of LaTeX; pieces that are to stand alone come into one document."""
+        """Write a piece of LaTeX; standalone pieces are joined into one document."""
         if standalone and not self._ending:
             from hfield.latex import document
 
@@ -87,12 +87,12 @@ class Sink:
 
 
 def terminal_width() -> int:
-    """Return how wide lines for people may be: as wide as the terminal, as far as that is not too wide."""
+    """Return the width of printed lines: that of the terminal, up to a maximum."""
     return min(MAX_WIDTH, get_terminal_size((MAX_WIDTH, 24)).columns)
 
 
 def _has_width(stream: TextIO) -> bool:
-    """Tell whether lines have to fit: on a terminal, and where it is said how wide a pipe or file is."""
+    """Return whether lines are wrapped: on a terminal, or where COLUMNS is set."""
     return stream.isatty() or bool(os.environ.get("COLUMNS"))
 
 
@@ -113,7 +113,7 @@ def gone_on(text: str, width: int, below: str = "  ") -> str:
 
 @contextmanager
 def open_output(path: str | None) -> Iterator[Sink]:
-    """Open the terminal, or a file: tried before the work, and in place only when all went well.
+    """Open stdout or a file; a file is created early and put in place only on success.
 
     Raises :class:`OutputError` when the file cannot be written.
     """
@@ -132,7 +132,7 @@ def open_output(path: str | None) -> Iterator[Sink]:
 
 @contextmanager
 def writing(what: str, instead: str = "file") -> Iterator[None]:
-    """Say in a line what the system does not take inside the ``with``. Raises :class:`OutputError`."""
+    """Turn an error of the system inside the ``with`` into an :class:`OutputError`."""
     try:
         yield
     except OSError as error:
@@ -144,7 +144,7 @@ def writing(what: str, instead: str = "file") -> Iterator[None]:
 
 @contextmanager
 def _open_file(path: Path) -> Iterator[TextIO]:
-    """Open a temporary neighbour that takes the place of ``path`` at the end; devices are opened.
+    """Open a temporary file that is renamed to ``path`` at the end; devices are opened directly.
 
     Where nothing was written, nothing is replaced.
     """
@@ -196,7 +196,7 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
 
 
 def try_picture(path: str, *more: str) -> bool:
-    """Raise :class:`OutputError` where nothing could be drawn, before what takes long is computed.
+    """Raise :class:`OutputError` before a long computation if its picture could not be drawn.
 
     ``more`` are suffixes that are written besides those of pictures. Return whether there is a file of this
     name already: one that appears later is not to be replaced.
@@ -212,7 +212,7 @@ def try_picture(path: str, *more: str) -> bool:
 
 
 def note(text: str) -> None:
-    """Tell the reader something on stderr that is no error."""
+    """Print a note on stderr."""
     say("note", text)
 
 

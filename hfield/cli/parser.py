@@ -94,7 +94,7 @@ class Parser(ArgumentParser):
         return args
 
     def _need_output(self, words: Sequence[str]) -> None:
-        """Refuse a file name without ``-o`` where the output is required, and say what to write."""
+        """Raise for a file name without ``-o`` where the output is required, and say what to write."""
         option = self._option_string_actions.get("-o")
         if option is None or not option.required or any(_OUTPUT.match(word) for word in words):
             return
@@ -104,7 +104,9 @@ class Parser(ArgumentParser):
             self.error(f"-o names the output: write {' '.join((self.prog, *rest))} -o {files[0]}")
 
     def _mark_expressions(self, words: Sequence[str]) -> list[str]:
-        """Put a space before what only looks like an option: argparse then leaves it alone."""
+        """Put a space before an expression that looks like an option, so that argparse does not read it as
+        one.
+        """
         marked: list[str] = []
         for n, word in enumerate(words):
             if word == "--" and not self._takes_the_rest(words[:n]):
@@ -140,7 +142,7 @@ class Parser(ArgumentParser):
 
 
 def _is_field(word: str) -> bool:
-    """Tell whether a word names a ring by its usual letters; a letter such as x names none."""
+    """Return whether a word is the name of a ring; a letter such as x is not."""
     from hfield.errors import RingError
 
     if _FIELD.match(word) is None:
@@ -155,7 +157,7 @@ def _is_field(word: str) -> bool:
 
 
 def _take_field(args: Namespace) -> None:
-    """Take a field or an algebra after the inputs for the options of this name: ``roots 'x^2+1' GF7``."""
+    """Read a field or an algebra after the inputs as the option of that name: ``roots 'x^2+1' GF7``."""
     inputs = getattr(args, "inputs", None)
     if not isinstance(inputs, list) or not inputs or not hasattr(args, "field"):
         return
@@ -174,7 +176,7 @@ def _take_field(args: Namespace) -> None:
 
 
 def _fitted(examples: Sequence[str]) -> list[str]:
-    """Indent lines for a shell; one wider than the terminal goes on below, as a shell reads it."""
+    """Indent lines for a shell; lines wider than the terminal are continued with a backslash."""
     width = terminal_width()
     lines: list[str] = []
     for example in examples:
@@ -264,7 +266,7 @@ def add_standalone(parser: ArgumentParser) -> None:
 
 
 def add_factors(parser: ArgumentParser) -> None:
-    """Declare ``--factors``, for commands that factor what an algebra is given by."""
+    """Declare ``--factors``, for commands that factor the constants of an algebra."""
     parser.add_argument(
         "--factors",
         metavar="P,…",
@@ -287,7 +289,7 @@ def given_factors(args: Namespace) -> AbstractContextManager[None]:
 
 
 def add_algebra(parser: ArgumentParser, first: bool = False) -> None:
-    """Declare ``--field`` and ``--algebra``, and the same as a ``first`` argument; one may be given."""
+    """Declare ``--field`` and ``--algebra``, or either as the ``first`` argument; at most one is allowed."""
     group = parser.add_mutually_exclusive_group()
     if first:
         group.add_argument(

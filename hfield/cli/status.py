@@ -38,7 +38,7 @@ class StatusLine:
             self._stream = stream
 
     def erase(self) -> None:
-        """Take the line away, if there is one."""
+        """Erase the line, if there is one."""
         with self._lock:
             if self._stream is not None:
                 self._stream.write(_ERASE)
@@ -50,7 +50,7 @@ STATUS = StatusLine()
 
 
 def _how_far() -> str:
-    """Describe the running loop: its name, the share that is done and the time that is left."""
+    """Describe the running loop: its name, the share done and the time left."""
     if (now := current()) is None:
         return ""
     what, share, seconds = now
@@ -59,7 +59,7 @@ def _how_far() -> str:
 
 
 def time_left(seconds: float) -> str:
-    """Say in a few words how long it still takes.
+    """Return the remaining time in words.
 
     >>> time_left(41.7), time_left(301)
     ('42 s left', '5 min left')
@@ -68,7 +68,7 @@ def time_left(seconds: float) -> str:
 
 
 class Progress:
-    """A line on stderr that tells how far the work is; nothing where stderr is no terminal.
+    """A status line on stderr with the progress; nothing where stderr is not a terminal.
 
     What was ``done`` before it began says nothing of how long the rest will take.
     """
@@ -79,7 +79,7 @@ class Progress:
         self._since = time.monotonic()
 
     def __call__(self, done: int, total: int, what: str = "") -> None:
-        """Show that ``done`` of ``total`` are finished, the time left, and ``what`` is in work."""
+        """Show ``done`` of ``total``, the time left, and ``what`` is running."""
         bar = "#" * (20 * done // max(total, 1))
         said = [f"[{bar:<20}] {done} of {total} {self.noun}"]
         passed = time.monotonic() - self._since
@@ -96,7 +96,7 @@ class Progress:
 
 
 class Waiting:
-    """Says from half a second on what is being done and for how many seconds, as long as it is open.
+    """A status line that appears after half a second, with the current step and the elapsed seconds.
 
     ``Waiting.at("theorem 3")`` changes what the open one says; a :class:`Progress` silences it.
     """
@@ -110,13 +110,13 @@ class Waiting:
 
     @classmethod
     def at(cls, what: str) -> None:
-        """Say what is being done now; nothing happens where none is open."""
+        """Show the current step on the open status line, if there is one."""
         if cls._open is not None:
             cls._open._what = what
 
     @classmethod
     def hush(cls) -> None:
-        """Let the open one say no more."""
+        """Silence the open status line."""
         if cls._open is not None:
             cls._open._over.set()
 

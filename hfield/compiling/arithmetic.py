@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Arithmetic(ABC):
-    """The numbers of a ring in a loop. What stands for one, a payload, is the arithmetic's own affair.
+    """The arithmetic of a ring in a compiled loop, on payloads of its own type.
 
     An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
     to run over several elements at a time; ``literal``: whether structure constants are written into
@@ -38,7 +38,7 @@ class Arithmetic(ABC):
         return self.dtype
 
     def tables(self) -> tuple[np.ndarray, ...]:
-        """Return the arrays that are looked up; the loop calls them ``%table0``, ``%table1``, …"""
+        """Return the lookup tables; the loop calls them ``%table0``, ``%table1``, …"""
         return ()
 
     @abstractmethod

@@ -88,7 +88,7 @@ class ArrayProgram:
         return results, run(loop, n, tuple(rows), steps)
 
     def prepare(self) -> None:
-        """Compile, or read from the disk, what arrays of one shape need, and one element with an array."""
+        """Compile, or load from disk, the loops for arrays of one shape and for an element with an array."""
         count = len(self.sides) - bool(self.constants)
         for single in range(-1, count if count > 1 else 0):
             flags = tuple(n == single for n in range(count))
@@ -106,7 +106,7 @@ class ArrayProgram:
 
 
 def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
-    """Run a loop over n elements, in as many threads as that pays for; return all flags together.
+    """Run a loop over n elements, in threads where that is faster; return the flags or-ed together.
 
     ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.
     """

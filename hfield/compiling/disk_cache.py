@@ -33,7 +33,7 @@ def directory() -> Path:
 
 
 def private_directory() -> Path | None:
-    """Return where the files lie, made if need be, or None where others may write there, or nobody can."""
+    """Return the private cache directory, created if needed; None if it is not private or not writable."""
     with contextlib.suppress(OSError, RuntimeError):
         place = directory()
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -54,7 +54,7 @@ def kept(key: str) -> bytes | None:
 
 
 def keep(key: str, code: bytes) -> None:
-    """Keep machine code that was linked, if that can be done; readers see all of it or nothing."""
+    """Store linked machine code, atomically, if the directory is writable."""
     with contextlib.suppress(OSError, RuntimeError):
         place = directory()
         place.mkdir(mode=0o700, parents=True, exist_ok=True)

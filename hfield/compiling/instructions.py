@@ -11,13 +11,13 @@ from typing import Any
 
 
 class Code:
-    """A function that is being written: the lines so far, and what it calls.
+    """A function in LLVM's language under construction: its lines, and the functions that it calls.
 
     The same text is the same value, until something is written to memory or another block begins.
     """
 
     def __init__(self, head: str = "") -> None:
-        """Take what stands before the body: linkage, type, name, parameters ``%…`` and attributes."""
+        """Begin with the header: linkage, type, name, parameters ``%…`` and attributes."""
         self.head = head
         self.lines: list[str] = []
         self.declared: set[str] = set()
@@ -47,7 +47,7 @@ class Code:
         self.lines.append(text)
 
     def call(self, kind: str, name: str, *arguments: tuple[str, str]) -> str:
-        """Call a function that the program does not define, with types and values; return what it does."""
+        """Emit a call of an external function, with types and values; return the name of its result."""
         given = ", ".join(f"{k} {value}" for k, value in arguments)
         self.declared.add(f"declare {kind} @{name}({', '.join(k for k, _ in arguments)})")
         text = f"call {kind} @{name}({given})"
@@ -92,7 +92,7 @@ class Code:
         self.call("void", "llvm.memcpy.p0.p0.i64", ("ptr", to), ("ptr", start), *flags)
 
     def ahead(self, place: str, writing: bool = False) -> None:
-        """Ask for the memory of a line to come; it need not be ours."""
+        """Prefetch a cache line, which may lie outside the array."""
         flags = (("i32", str(n)) for n in (int(writing), 3, 1))
         self.call("void", "llvm.prefetch.p0", ("ptr", place), *flags)
 
@@ -122,7 +122,7 @@ class Code:
         self._label = label
 
     def when(self, condition: str, then: Callable[[], Any], rarely: bool = False) -> list[str]:
-        """Write what is done where a condition holds, and return what comes of it or is in its place.
+        """Emit a conditional block; return the value that it computes, or the alternative.
 
         ``then`` returns that: types, values, and the values where the condition does not hold. What is done
         ``rarely`` is to take no registers from what is done always.

@@ -139,7 +139,7 @@ def _write(code: Code, arithmetic: Arithmetic, row: str, i: str, result: str) ->
 
 
 def _there(code: Code, lanes: int, i: str) -> str:
-    """Tell for each lane whether there is a number for it: the last turn may have fewer."""
+    """Return a mask of the lanes in use; the last iteration may have fewer."""
     left = code.value(f"sub i64 %n, {i}")
     count = code.call("i64", "llvm.umin.i64", ("i64", left), ("i64", str(lanes)))
     counts = code.spread("i8", code.value(f"trunc i64 {count} to i8"), lanes)
@@ -157,7 +157,7 @@ def _stream(
     moving: list[str],
     outputs: list[str],
 ) -> None:
-    """Write the calls of the loop, block by block, and the copying of what it wrote.
+    """Emit the calls of the loop, block by block, and the copy of its output.
 
     Of the rows the ``moving`` have an element for each turn; the others stay where they are.
     """

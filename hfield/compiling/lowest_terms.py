@@ -15,7 +15,7 @@ _ROWS = NUMERATORS + 1
 
 
 def lowest(rows: Rows) -> bool:
-    """Divide rows of i64, the last of which are denominators ≠ 0, by what they share, in place.
+    """Divide rows of i64, the last a row of denominators ≠ 0, by their greatest common divisors, in place.
 
     The denominators become positive. False if some number is −2⁶³, whose negative no word holds; the rows
     are spoilt then.

@@ -26,7 +26,7 @@ _numbers = itertools.count()
 
 @cache
 def available() -> bool:
-    """Tell whether there is an LLVM to compile with, and nobody asked for plain Python."""
+    """Return whether LLVM is available and plain Python is not requested."""
     if os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0"):
         return False
     with lock:
@@ -68,7 +68,7 @@ def _features() -> Any:
 
 @cache
 def _linker() -> Any:
-    """Return what puts machine code into memory, and tells what is wrong with it instead of giving up."""
+    """Return the linker, which reports errors instead of aborting."""
     import llvmlite.binding as llvm
 
     return llvm.create_lljit_compiler(machine(), suppress_errors=True)
@@ -85,13 +85,13 @@ def _made_by() -> str:
 
 
 def processor_has(feature: str) -> bool:
-    """Tell whether the processor has a set of instructions, by LLVM's name for it."""
+    """Return whether the processor has a set of instructions, by LLVM's name for it."""
     with lock:
         return bool(_features().get(feature))
 
 
 def register_symbols(name: str, address: int) -> None:
-    """Make a function of the system known to programs compiled from now on."""
+    """Register a system function for programs compiled from now on."""
     _symbols[name] = address
 
 
@@ -125,7 +125,7 @@ def compiled(
 
 
 def _kept(key: str, name: str) -> int | None:
-    """Return the address of what lies on disk, or None if nothing does that can be linked."""
+    """Return the address of the code cached on disk, or None if there is none that links."""
     code = kept(key)
     if code is None:
         return None
@@ -159,7 +159,7 @@ def _compiled(
 
 
 def _linked(code: bytes, name: str) -> int:
-    """Put machine code into memory for good; return where its function lies. Raises RuntimeError."""
+    """Load machine code into memory; return the address of its function. Raises RuntimeError."""
     import llvmlite.binding as llvm
 
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
@@ -171,14 +171,14 @@ def _linked(code: bytes, name: str) -> int:
 
 
 class Announcer:
-    """A word to who waits for a compiler: said once a process, on a terminal's stderr."""
+    """A notice that code is being compiled, printed once a process on a terminal's stderr."""
 
     def __init__(self, message: str) -> None:
         self.message = message
         self._said = False
 
     def __call__(self) -> None:
-        """Say it, unless it was said or nobody watches."""
+        """Print the notice once, on a terminal only."""
         if self._said or sys.stderr is None or not sys.stderr.isatty():
             return
         self._said = True

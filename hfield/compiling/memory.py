@@ -43,7 +43,7 @@ def block(shape: Sequence[int], dtype: str) -> tuple[Array, bool]:
 
 
 def _taken(size: int) -> Array | None:
-    """Take memory of that size, or little more, from what is kept."""
+    """Take a pooled buffer of at least that size, and not much more."""
     for _ in range(len(_kept)):
         try:
             memory = _kept.pop()
@@ -56,7 +56,7 @@ def _taken(size: int) -> Array | None:
 
 
 def _give_back(memory: Array) -> None:
-    """Keep memory, in place of what has been kept longest."""
+    """Return a buffer to the pool, in place of the oldest."""
     _kept.append(memory)
     # a copy, for another thread, or the collector in between, may change what is kept
     while sum(m.nbytes for m in _kept.copy()) > KEPT:
@@ -70,7 +70,7 @@ def rows_of(block: Array) -> Rows:
 
 
 def in_one_piece(array: Array, shape: tuple[int, ...]) -> Array:
-    """Return an array of this shape, one entry after the other: the given one if it is such, else a copy."""
+    """Return a C-contiguous array of this shape: the given one if possible, else a copy."""
     wide = array if array.shape == shape else np.broadcast_to(array, shape)
     straight = wide.flags.c_contiguous and wide.flags.aligned
     return wide if straight else np.require(wide, requirements=["C", "A"])

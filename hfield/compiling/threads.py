@@ -32,7 +32,7 @@ class ThreadsError(HFieldError, ValueError):
 
 
 class _State:
-    """The number of threads, and the helpers that wait for work; anew in a child."""
+    """The number of threads and the waiting helper threads; reset in a child process."""
 
     def __init__(self) -> None:
         self.number: int | None = None
@@ -47,7 +47,7 @@ class _State:
 
 
 class _Part:
-    """What a helper does of a call, unless the call is over before it begins.
+    """A helper's part of a call, dropped if the call ends before the part begins.
 
     An executor's future does the same in twenty times the time, a fiftieth of a frame of 550 000 points.
     """
@@ -70,7 +70,7 @@ class _Part:
                 self._done.release()
 
     def result(self) -> bool:
-        """Call the part off if it has not begun, else wait for its answer."""
+        """Cancel the part if it has not begun, else wait for its answer."""
         if self._begun.acquire(blocking=False):
             self._task = bool  # it may stay in the queue, and would keep arrays alive
             return False
@@ -87,7 +87,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def threads(number: int | None = None) -> int:
-    """Return how many threads a call may use, after setting it to ``number`` if that is given.
+    """Set the number of threads of a call to ``number``, if given; return it.
 
     At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
     number of processors this process may run on. Raises :class:`ThreadsError` unless it is a whole number
@@ -118,7 +118,8 @@ def _processors() -> int:
 
 
 def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: object) -> bool:
-    """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; tell if any said true.
+    """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; return whether any
+    returned true.
 
     ``alive`` is what the arguments point into: it is kept until the last thread is done, also when
     Ctrl-C ends the wait for it. A wait for helpers is long if it takes longer than the work of the caller.
@@ -171,7 +172,7 @@ def in_pieces(
 
 
 def _taken(starts: deque[int]) -> Iterator[int]:
-    """Yield what is left of the starts that threads share; each is taken by one of them."""
+    """Yield the remaining starts of a shared counter; each goes to one thread."""
     while True:
         try:
             yield starts.popleft()

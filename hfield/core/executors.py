@@ -31,11 +31,11 @@ SCHEDULER_ANSWERS_WITHIN = "10s"
 
 
 class ExecutorError(HFieldError, RuntimeError):
-    """Workers that cannot be had, or that died."""
+    """Workers could not be started, or died."""
 
 
 class InProcess(Executor):
-    """Computes in this process, at once: a future that it returns is done."""
+    """An executor that computes in this process; its futures are done when returned."""
 
     def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
         """Compute; the future holds the result or the exception."""
@@ -81,7 +81,7 @@ def ordered(
 
 @contextmanager
 def collecting_rarely() -> Iterator[None]:
-    """Let Python look for cycles seldom: where nearly all that is made is kept, looking takes a tenth."""
+    """Run Python's cycle collector rarely, which saves a tenth of the time where most objects are kept."""
     often = gc.get_threshold()
     gc.set_threshold(20_000, *often[1:])
     try:
@@ -140,7 +140,7 @@ def _processes(jobs: int) -> Iterator[Executor]:
 
 
 def _only_one_thread() -> bool:
-    """Tell whether the system, which knows those of numerical libraries too, counts one thread here."""
+    """Return whether the system counts one thread in this process, those of numerical libraries included."""
     try:
         return len(os.listdir("/proc/self/task")) == 1
     except OSError:  # no Linux
@@ -148,7 +148,7 @@ def _only_one_thread() -> bool:
 
 
 def _start_now(pool: Executor, jobs: int) -> None:
-    """Let all workers start, as a pool does at its first tasks: later there may be more threads to fork.
+    """Start all workers now, before this process has more threads that a fork would not copy.
 
     They inherit that Ctrl-C is blocked until they ignore it: else one that is being spawned would end with a
     traceback of Python's.
@@ -164,7 +164,7 @@ def _start_now(pool: Executor, jobs: int) -> None:
 
 
 def _as_a_worker() -> None:
-    """Leave Ctrl-C to the parent, which ends the workers, else each prints a traceback; and end with it."""
+    """Ignore Ctrl-C, which the parent handles, and end when the parent ends."""
     import signal
     from multiprocessing import parent_process
     from threading import Thread
@@ -178,7 +178,7 @@ def _as_a_worker() -> None:
 
 
 def _end_with(parent: Any) -> None:
-    """End this process when its parent has, even by SIGKILL: it would wait for tasks for ever."""
+    """End this process when its parent ends, even by SIGKILL."""
     parent.join()
     os._exit(1)
 

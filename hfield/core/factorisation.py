@@ -46,7 +46,7 @@ Factors = Mapping[int, int] | Iterable[int]
 
 @dataclass(frozen=True)
 class Unfactored:
-    """A divisor greater than 1 of which no prime is known: it is composite, or too long for a proof.
+    """A divisor greater than 1 without a known prime: composite, or too long for a primality proof.
 
     It is deliberately no number: arithmetic with it fails.
     """
@@ -101,7 +101,7 @@ _asked: ContextVar[str] = ContextVar("how to give them", default="")
 
 
 def known_primes(factors: Factors | None, argument: str = "factors=") -> "_KnownPrimes":
-    """Use these primes wherever something is factored inside the ``with``; an error asks for ``argument``.
+    """Use these primes in all factorisations inside the ``with``; errors name ``argument``.
 
     Raises :class:`RingError` for what is not a prime.
     """
@@ -112,7 +112,7 @@ _NONE: frozenset[int] = frozenset()
 
 
 class _KnownPrimes:
-    """A context of known primes; a class, since whoever asks for one symbol would wait for a generator."""
+    """The context manager of known primes; a class, which is faster than a generator."""
 
     __slots__ = ("argument", "given", "tokens")
 
@@ -169,7 +169,7 @@ def remove(n: int, p: int) -> tuple[int, int]:
 def factor(
     n: int, known: Iterable[int] = (), bits: int = 48, sieved: int = SIEVED_BITS
 ) -> Factorisation:
-    """Factor ``|n|``, n ≠ 0, as far as it goes in bounded time; wholly if what is hard has ``sieved`` bits.
+    """Factor ``|n|``, n ≠ 0, in bounded time; completely if the hard part has at most ``sieved`` bits.
 
     ``known`` are *primes* that may divide n; those of :func:`known_primes` are used as well. In longer
     numbers primes of at most so many ``bits`` are sought with elliptic curves.
@@ -181,7 +181,7 @@ def factor(
 
 
 def shared_primes(numbers: Iterable[int]) -> frozenset[int]:
-    """Return the primes that are found in some of the numbers: what one hides another may show.
+    """Return the primes found in any of the numbers, also by greatest common divisors.
 
     What is left of each is split by greatest common divisors with the others.
     """

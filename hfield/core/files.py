@@ -20,7 +20,7 @@ STEM = 40  # letters of the name that the name beside it begins with
 
 @contextmanager
 def whole_file(path: Path, replace: bool | None = None) -> Iterator[Path]:
-    """Yield a hidden name beside ``path``; the file written there takes its place in the end.
+    """Yield a hidden name beside ``path``; the file written there is renamed to ``path`` at the end.
 
     ``replace`` says whether a file of that name may be replaced; None: one that is there at the start may,
     one that appears meanwhile may not. A link stays a link: what it points to is replaced, and keeps its
@@ -47,7 +47,7 @@ def whole_file(path: Path, replace: bool | None = None) -> Iterator[Path]:
 
 @contextmanager
 def whole_folder(path: Path, replace: bool) -> Iterator[Path]:
-    """Yield a hidden new folder beside ``path``; it takes its place in the end.
+    """Yield a hidden new folder beside ``path``; it is renamed to ``path`` at the end.
 
     Without ``replace`` it takes only the place of an empty folder. Raises OSError.
     """
@@ -67,7 +67,7 @@ def whole_folder(path: Path, replace: bool) -> Iterator[Path]:
 
 
 def _take_name(part: Path, target: Path) -> None:
-    """Give the file ``part`` the free name ``target``. Raises FileExistsError where it is not free."""
+    """Rename the file ``part`` to ``target``. Raises FileExistsError if ``target`` exists."""
     try:
         try:
             os.link(part, target)
@@ -84,7 +84,7 @@ def _take_name(part: Path, target: Path) -> None:
 
 @contextmanager
 def _ended_by_sigterm() -> Iterator[None]:
-    """Let SIGTERM raise SystemExit, so that nothing half written stays; elsewhere set handlers stay."""
+    """Let SIGTERM raise SystemExit so that partial files are removed; handlers set elsewhere are kept."""
     if (
         threading.current_thread() is not threading.main_thread()
         or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
@@ -103,7 +103,7 @@ def _ended_by_sigterm() -> Iterator[None]:
 
 
 def sweep(path: Path) -> None:
-    """Remove what processes that were killed left beside ``path``. Raises OSError."""
+    """Remove temporary files that killed processes left beside ``path``. Raises OSError."""
     target = path.resolve()
     start = _prefix(target)
     for old in target.parent.iterdir():

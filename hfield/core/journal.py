@@ -1,4 +1,4 @@
-"""A file of JSON lines to which long computations append what they have found, and go on after a kill."""
+"""A journal of JSON lines from which an interrupted computation resumes."""
 
 from __future__ import annotations
 

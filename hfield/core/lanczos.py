@@ -50,7 +50,7 @@ class SparseOperator:
         return len(self.weights)
 
     def is_self_adjoint(self) -> bool:
-        """Tell whether weights times entries are a symmetric matrix, exactly."""
+        """Return whether weights times entries are a symmetric matrix, exactly."""
         rows = np.broadcast_to(np.arange(self.size), self.columns.shape)
         values = self.entries * self.weights
         here = _summed(rows * self.size + self.columns, values)
@@ -66,7 +66,7 @@ class SparseOperator:
 
 
 def _summed(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the keys, ascending, whose values have a sum other than 0, and these sums."""
+    """Return the ascending keys whose values have a nonzero sum, and these sums."""
     order = np.argsort(keys, axis=None, kind="stable")
     keys, values = keys.ravel()[order], values.ravel()[order]
     starts = np.flatnonzero(np.diff(keys, prepend=-1))
@@ -108,7 +108,7 @@ def _reduced(x: np.ndarray) -> np.ndarray:
 
 
 class _Steps:
-    """The vectors of the recurrence, one after the other."""
+    """The successive vectors of the recurrence."""
 
     def __init__(self, operator: SparseOperator, start: np.ndarray) -> None:
         self.operator, self.vector = operator, start

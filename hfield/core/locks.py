@@ -26,7 +26,7 @@ def lock() -> RLock:
 
 
 def _forget_imports() -> None:
-    """Forget, in a child, the imports that other threads of its parent had begun.
+    """Drop, in a child, imports that other threads of its parent had begun.
 
     Each module has a lock, which its importer holds until the module is complete. In the child nobody would
     complete it, so the next import there starts anew. A package of somebody else starts anew with all its
@@ -58,7 +58,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def _free_properties() -> None:
-    """Give our cached properties new locks, in a child: each class has one for all its instances."""
+    """Give cached properties new locks in a child process."""
     for name, module in tuple(sys.modules.items()):
         if name.partition(".")[0] in PACKAGES:
             for kind in tuple(vars(module).values()):

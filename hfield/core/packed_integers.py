@@ -12,7 +12,7 @@ LONG = b"x"
 
 
 def pack(numbers: Sequence[int]) -> bytes:
-    """Return integers as bytes, each in as few bytes as the longest needs. Equal ones give equal bytes.
+    """Pack integers as bytes of the least common width. Equal sequences give equal bytes.
 
     >>> len(pack([1, -2, 300])), unpack(pack([1, -2, 300])), unpack(pack([2**70, -1]))
     (7, [1, -2, 300], [1180591620717411303424, -1])

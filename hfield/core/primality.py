@@ -21,7 +21,8 @@ LONGEST_BITS = 8192
 
 
 def is_probable_prime(n: int) -> bool:
-    """Tell whether n passes the test of Baillie, Pomerance, Selfridge and Wagstaff: if not, it is composite.
+    """Return whether n passes the test of Baillie, Pomerance, Selfridge and Wagstaff: if not, it is
+    composite.
 
     Nobody knows a composite number that passes, and below 2⁶⁴ there is none.
     """
@@ -29,7 +30,7 @@ def is_probable_prime(n: int) -> bool:
 
 
 def is_prime(n: int) -> bool:
-    """Tell, with proof, whether n is prime. Raises :class:`TooLargeError` for what is too long to tell."""
+    """Return whether n is prime, with proof. Raises :class:`TooLargeError` if n is too long to decide."""
     if n < 2:
         return False
     return bool(flint.fmpz(n).is_probable_prime()) if n < WORD else _is_long_prime(n)
@@ -55,7 +56,7 @@ def _is_long_prime(n: int) -> bool:
 
 
 def primes(below: int | None = None) -> Iterator[int]:
-    """Run through the primes, all of them or those below a number.
+    """Yield the primes, all or those below a bound.
 
     >>> list(primes(below=20))
     [2, 3, 5, 7, 11, 13, 17, 19]

@@ -15,7 +15,7 @@ Coordinates = tuple[Any, Any, Any, Any]
 
 
 class SupportsArithmetic(Protocol):
-    """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with its like."""
+    """The protocol of coordinates: ``+``, ``−`` and ``×``."""
 
     def __add__(self, other: Any, /) -> Self:
         """Return self + other."""
@@ -31,7 +31,7 @@ class SupportsArithmetic(Protocol):
 
 
 class Scalar(SupportsArithmetic, Protocol):
-    """An element of a ring: what its library takes beside, such as numbers, may stand to its left too."""
+    """An element of a ring, which also takes numbers and the like as left operands."""
 
     def __radd__(self, other: Any, /) -> Self:
         """Return other + self."""

@@ -1,4 +1,4 @@
-"""Progress of long computations: loops report it here, and a waiting command reads it."""
+"""Progress of long computations: loops report it, and commands display it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _now: tuple[str, float, float] | None = None
 
 
 def report(done: Fraction | float, total: Fraction | float, what: str) -> None:
-    """Report how much of a total is done. When all is done, no loop is running any more.
+    """Report how much of a total is done; at the total, the loop ends.
 
     >>> report(3, 4, "classes")
     >>> current()[1]

@@ -1,4 +1,4 @@
-"""Matrices of natural numbers of which few entries are not 0, row by row, in three arrays."""
+"""Sparse matrices of natural numbers in compressed rows."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class Program:
     outputs: tuple[str, ...]
 
     def evaluate(self, values: dict[str, S], zero: S) -> tuple[S, ...]:
-        """Run the program on values with ``+ − ×``: the plainest emitter, which checks all others."""
+        """Run the program on values with ``+ − ×``; the oracle for all emitters."""
         known = {ZERO: zero, **values}
         for name, operation, operands in self.steps:
             x, *rest = (known[n] for n in operands)
@@ -62,7 +62,7 @@ class Program:
     def expressions(
         self, write: Callable[[str, Sequence[str]], str]
     ) -> tuple[list[tuple[str, str]], list[str]]:
-        """Return the program as nested expressions: assignments of what is used more than once, outputs.
+        """Return the program as nested expressions: assignments of shared subexpressions, and outputs.
 
         ``write(operation, operands)`` gives the text of one operation on texts of operands.
         """
@@ -81,7 +81,7 @@ class Program:
 
 
 class _Tape:
-    """What symbols write on: the steps so far, each once."""
+    """The tape on which symbols record their steps, each once."""
 
     def __init__(self, characteristic: int) -> None:
         self.characteristic = characteristic
@@ -249,7 +249,7 @@ def _constant(tape: _Tape, name: str) -> _Symbol:
 
 
 def _program(tape: _Tape, outputs: list[str]) -> Program:
-    """Leave out the steps that nothing uses, as where a term was multiplied by 0 afterwards."""
+    """Remove unused steps, such as factors of a term that was multiplied by 0."""
     used = dict.fromkeys(outputs)
     kept: list[ProgramStep] = []
     for step in reversed(tape.steps):
@@ -283,7 +283,7 @@ def arithmetic_text(operation: str, operands: Sequence[str]) -> str:
 
 
 def _closed(text: str, signs: str) -> str:
-    """Put a text in parentheses that has one of the signs outside of parentheses, or begins with one."""
+    """Parenthesise a text that begins with one of the signs or has one outside of parentheses."""
     if any(sign in signs or (sign == "-" and n == 0) for n, sign in outside(text)):
         return f"({text})"
     return text

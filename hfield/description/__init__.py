@@ -1,4 +1,4 @@
-"""Describe an algebra: all that is known of it."""
+"""Describe an algebra: collect its invariants and lay them out."""
 
 from hfield.description.summary import SCHEMA, Description, info
 

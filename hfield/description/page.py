@@ -23,7 +23,7 @@ WIDTH = 100  # where nobody says how wide the page is
 
 
 def parts(d: Description) -> list[AnswerSection]:
-    """Return the page about an algebra in parts: what it is, its table, and what is known of it."""
+    """Return the page about an algebra in parts: title, multiplication table, and facts."""
     A = d.algebra
     over = A.ring.in_words()
     return [
@@ -51,7 +51,7 @@ def _table(A: QuaternionAlgebra, width: int) -> list[str]:
 
 
 def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
-    """Return what is known in three parts: title, and pairs of a label and a text."""
+    """Return the facts in three parts, each a title and pairs of a label and a text."""
     base = "Base field" if d.algebra.ring.is_field else "Base ring"
     return [(base, _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))]
 

@@ -1,4 +1,4 @@
-"""Collect all that is known of an algebra, for ``hfield info``."""
+"""Collect the invariants of an algebra, for ``hfield info``."""
 
 from __future__ import annotations
 
@@ -204,7 +204,7 @@ def _describe(A: QuaternionAlgebra) -> Description:
 
 
 def _normal_form(A: QuaternionAlgebra) -> tuple[str | None, str]:
-    """Return the name of the algebra as (t² + 4a, b) or [a/t², b), and what takes the place of i."""
+    """Return the name of the algebra as (t² + 4a, b) or [a/t², b), and the element that replaces i."""
     F, (a, t, b) = A.ring, A.constants
     if not (F.is_field and F.is_exact) or F.is_zero(t):
         return None, ""

@@ -90,7 +90,7 @@ class Elements:
         return total, expanded(formula) if ring.is_field else None
 
     def cardinality(self) -> int:
-        """Return how many there are, however many. Raises :class:`NotFiniteError` over infinite rings.
+        """Return the number of elements, of any size. Raises :class:`NotFiniteError` over infinite rings.
 
         >>> from hfield import H
         >>> H("GF(1000003)").units().cardinality()
@@ -99,7 +99,7 @@ class Elements:
         return self._count[0]
 
     def __len__(self) -> int:
-        """Return how many there are; :class:`NotFiniteError` also beyond ``sys.maxsize``."""
+        """Return the number of elements; raises :class:`NotFiniteError` also beyond ``sys.maxsize``."""
         if self.cardinality() > sys.maxsize:
             raise TooManyError(f"{self._title} are too many for len(); use .cardinality()")
         return self.cardinality()
@@ -113,7 +113,7 @@ class Elements:
         return self._count[1] if self.algebra.ring.order is not None else None
 
     def count_by_listing(self) -> int:
-        """Return how many there are by going through pairs of coordinates, without any formula.
+        """Return the number of elements by enumerating pairs of coordinates, without a formula.
 
         Raises :class:`TooLargeError` where the ring has more than 2048 elements.
 
@@ -210,7 +210,7 @@ class Elements:
             yield from map(make, *rows)
 
     def _solved(self) -> Iterator[Quaternion]:
-        """Run through the elements over a ring that is too large for tables."""
+        """Yield the elements over a ring that is too large for tables."""
         from hfield.exploring.large_rings import solutions
 
         return solutions(self.algebra, self.property)
@@ -234,7 +234,7 @@ class Elements:
 
     @cached_property
     def _ends(self) -> np.ndarray:
-        """How many elements there are up to each pair (w, x)."""
+        """The cumulative numbers of elements up to each pair (w, x)."""
         import numpy as np
 
         keys = self._selection.keys
@@ -261,7 +261,7 @@ class Elements:
         return self._labels.array(np.concatenate(blocks) if blocks else np.zeros(0, dtype=np.int64))
 
     def sample(self, n: int, seed: int = 0) -> tuple[Quaternion, ...]:
-        """Return n different elements at random, the same for the same seed; all where there are fewer.
+        """Return n distinct random elements, the same for the same seed; all if there are fewer.
 
         Raises :class:`UndecidedError` over an infinite field where none is found, and it is not known
         whether there is one.
@@ -288,7 +288,7 @@ class Elements:
 
     @property
     def title(self) -> str:
-        """What they are: ``units``, ``elements of norm 2``."""
+        """The title of the collection: ``units``, ``elements of norm 2``."""
         name, value = self.property
         return f"elements of {name} {self.algebra.ring.text(value)}" if value is not None else name
 
@@ -297,7 +297,7 @@ class Elements:
         return f"the {self.title} of {self.algebra}"
 
     def _repr_html_(self) -> str:
-        """Return a table for a notebook: how many there are, and the first ones with trace and norm."""
+        """Return a table for a notebook: the number of elements, and the first ones with trace and norm."""
         from html import escape
 
         ring = self.algebra.ring

@@ -53,7 +53,7 @@ class FiniteGroup:
 
     @cached_property
     def _places(self) -> np.ndarray | None:
-        """The place of each number, None where the numbers are too large for such a table."""
+        """The index of each label, None where the labels are too large for a table."""
         import numpy as np
 
         greatest = int(self.members[-1])
@@ -72,7 +72,7 @@ class FiniteGroup:
 
     @cached_property
     def table(self) -> np.ndarray:
-        """The places of all products: once it is there, it is looked up."""
+        """The table of indices of all products, computed once."""
         return self.product(self.places[:, None], self.places[None, :])
 
     def power(self, x: np.ndarray, n: int) -> np.ndarray:
@@ -118,7 +118,7 @@ class FiniteGroup:
 
     @property
     def element_orders(self) -> dict[int, int]:
-        """How many elements there are of each order."""
+        """The number of elements of each order."""
         import numpy as np
 
         orders, counts = np.unique(self.orders, return_counts=True)

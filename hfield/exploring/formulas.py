@@ -1,4 +1,4 @@
-"""Numbers of elements as polynomials in q, and how many elements have a given trace."""
+"""Numbers of elements as polynomials in q, also of given trace."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def sample(algebra: Parent, condition: Condition, n: int, seed: int) -> tuple[Qu
 
 
 def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[], Quaternion | None]:
-    """Return what draws an element with the property, or None when it fails."""
+    """Return a function that draws an element with the property, or None on failure."""
     ring, c = algebra.ring, algebra.constants
     name, value = condition
 
@@ -111,7 +111,7 @@ def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[],
 def _of_trace(
     algebra: Parent, s: Scalar, anything: Callable[[], Quaternion]
 ) -> Callable[[], Quaternion | None]:
-    """Return what draws an element of trace s: the others differ by elements of trace 0."""
+    """Return a function that draws elements of trace s."""
     ring, t = algebra.ring, algebra.constants.t
     two = ring(2)
     o = ring.zero

@@ -183,7 +183,7 @@ class LabelledAlgebra:
 
 
 def order_of_ring(algebra: Parent) -> int:
-    """Return how many scalars there are. Raises :class:`NotFiniteError`."""
+    """Return the order of the base ring. Raises :class:`NotFiniteError`."""
     if algebra.ring.order is None:
         raise NotFiniteError(
             f"{algebra} is infinite: expected an algebra over a finite ring, such as H(GF(7))"

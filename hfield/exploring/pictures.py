@@ -48,7 +48,7 @@ NAMED = 14
 
 
 class PictureError(HFieldError, OSError):
-    """A picture that cannot be written."""
+    """The picture cannot be written."""
 
 
 @default_settings()

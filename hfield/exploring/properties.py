@@ -7,7 +7,7 @@ from hfield.algebra.quaternion import Quaternion
 
 
 class Condition(NamedTuple):
-    """Which elements a collection has: a name, and a value for those of given norm or trace."""
+    """The condition of a collection: a name, and a value for elements of given norm or trace."""
 
     name: str
     value: Any = None
@@ -32,5 +32,5 @@ CONDITIONS = {
 
 
 def has_property(q: Quaternion, condition: Condition) -> bool:
-    """Tell whether a single element has the property of a collection."""
+    """Return whether a single element has the property of a collection."""
     return _TESTS[condition.name](q, condition.value)

@@ -24,7 +24,8 @@ MAX_SUBMODULES = 50_000
 
 
 class Subalgebra(Submodule):
-    """A subalgebra: ``kind`` says what it is, ``conjugates`` are its images u·S·u⁻¹, itself first.
+    """A subalgebra with its isomorphism type ``kind``; ``conjugates`` are its images u·S·u⁻¹, itself
+    first.
 
     Of dimension 2 it is a ``field``, ``split`` (F × F), or the ``dual numbers`` F[ε], ε² = 0; of dimension 3
     ``triangular matrices`` or ``local``. Over ℤ/n it is ``local``, a ``product of 2 local rings`` where it is
@@ -42,7 +43,7 @@ class Subalgebra(Submodule):
 
     @property
     def kind(self) -> str:
-        """What it is."""
+        """The isomorphism type in words."""
         if not self.algebra.ring.is_field:
             return self._kind_over_residues()
         if self.dimension == 1:
@@ -58,7 +59,7 @@ class Subalgebra(Submodule):
         return "triangular matrices" if self._has_separable_element() else "local"
 
     def _kind_over_residues(self) -> str:
-        """Say what it is over ℤ/n: a finite ring is local when 0 and 1 are its only idempotents."""
+        """Return the type over ℤ/n; a finite ring is local when 0 and 1 are its only idempotents."""
         if all(q in self for q in self.algebra.basis):
             return "the algebra"
         idempotents = sum(q in self for q in Elements(self.algebra, Condition("idempotents")))
@@ -69,7 +70,7 @@ class Subalgebra(Submodule):
         return "neither local nor commutative"
 
     def _has_separable_element(self) -> bool:
-        """Tell whether some element has no double eigenvalue: a quadratic form that is not 0."""
+        """Return whether some element has no double eigenvalue: a quadratic form that is not 0."""
         sums = (x + y for x, y in combinations(self.basis, 2))
         return any(not self.algebra.ring.is_zero(_discriminant(x)) for x in (*self.basis, *sums))
 

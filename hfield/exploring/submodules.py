@@ -53,7 +53,8 @@ class Submodule:
 
     @cached_property
     def invariants(self) -> tuple[int, ...]:
-        """The orders of cyclic modules whose direct sum it is over ℤ/n; each is divisible by the next.
+        """The invariants over ℤ/n: orders of cyclic modules with this direct sum, each divisible by the
+        next.
 
         Over a finite field the order of the field, repeated as often as the dimension. Raises
         :class:`NotFiniteError` over an infinite one.

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class FiniteUnitGroup(ABC):
-    """A finite group of units of an algebra: iterate over it, ask ``in`` and ``len``.
+    """A finite group of units of an algebra; supports iteration, ``in`` and ``len``.
 
     >>> from hfield import H
     >>> G = H("GF(3)").unit_group()
@@ -98,7 +98,7 @@ class FiniteUnitGroup(ABC):
     @property
     @abstractmethod
     def element_orders(self) -> dict[int, int]:
-        """How many elements there are of each order."""
+        """The number of elements of each order."""
 
     @property
     @abstractmethod
@@ -106,7 +106,7 @@ class FiniteUnitGroup(ABC):
         """The classes of conjugate elements."""
 
     def is_abelian(self) -> bool:
-        """Tell whether all elements commute.
+        """Return whether all elements commute.
 
         >>> from hfield import H
         >>> H("GF(4)").unit_group().is_abelian(), H("GF(5)").unit_group().is_abelian()
@@ -199,7 +199,7 @@ class ListedUnitGroup(ListedGroup, FiniteUnitGroup):
 
     @property
     def element_orders(self) -> dict[int, int]:
-        """How many elements there are of each order."""
+        """The number of elements of each order."""
         return self._group.element_orders
 
     @cached_property

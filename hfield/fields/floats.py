@@ -1,4 +1,4 @@
-"""Floats as rings: RDF and CDF, the real and complex numbers as far as float64 goes. They prove nothing."""
+"""The rings RDF and CDF of real and complex float64 numbers. Computations in them prove nothing."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ N = TypeVar("N", float, complex)
 
 
 class FloatingPoint(ValueRing[N]):
-    """What RDF and CDF share: finite numbers of ``dtype``, rounded, and arrays of numpy."""
+    """The common part of RDF and CDF: rounded finite numbers of ``dtype``, and arrays of numpy."""
 
     characteristic = 0
     is_exact = False
@@ -55,7 +55,7 @@ class FloatingPoint(ValueRing[N]):
 
     @abstractmethod
     def is_finite(self, x: N) -> bool:
-        """Tell whether x is neither infinite nor NaN."""
+        """Return whether x is neither infinite nor NaN."""
 
     def generators(self) -> dict[str, N]:
         """Return nothing: all names are names of numbers."""
@@ -146,11 +146,11 @@ class Floats(FloatingPoint[float]):
         return {"kind": "floats"}
 
     def in_words(self) -> str:
-        """Say what the ring is."""
+        """Return a description of the ring."""
         return "floating-point numbers, which are inexact"
 
     def is_finite(self, x: float) -> bool:
-        """Tell whether x is neither infinite nor NaN."""
+        """Return whether x is neither infinite nor NaN."""
         return math.isfinite(x)
 
     def __call__(self, x: Any) -> float:
@@ -247,7 +247,7 @@ class ComplexFloats(FloatingPoint[complex]):
         return {"kind": "complex floats"}
 
     def in_words(self) -> str:
-        """Say what the ring is."""
+        """Return a description of the ring."""
         return "complex floating-point numbers, which are inexact"
 
     @property
@@ -256,7 +256,7 @@ class ComplexFloats(FloatingPoint[complex]):
         return 1j
 
     def is_finite(self, x: complex) -> bool:
-        """Tell whether x is neither infinite nor NaN."""
+        """Return whether x is neither infinite nor NaN."""
         return cmath.isfinite(x)
 
     def __call__(self, x: Any) -> complex:

@@ -90,7 +90,7 @@ def _of_algebraic(domain: Any) -> str:
 
 
 def _root(x: Any) -> sympy.Expr:
-    """Return the number that an algebraic number of sympy, which may have another name, stands for."""
+    """Return the value of an algebraic number of sympy, which may have another name."""
     while hasattr(x, "alias"):
         x = x.root
     expression: sympy.Expr = x

@@ -70,7 +70,7 @@ class PolynomialRing(Ring):
         return {"kind": "polynomials", "base": self.base.data, "variables": variables}
 
     def in_words(self) -> str:
-        """Say what the ring is."""
+        """Return a description of the ring."""
         return f"polynomials in {', '.join(self.variables)} over {blackboard(self.base.name)}"
 
     @property
@@ -85,7 +85,7 @@ class PolynomialRing(Ring):
 
     @property
     def fractions(self) -> Ring | None:
-        """The rational functions, where they are offered: in one variable."""
+        """The field of rational functions, for one variable."""
         if len(self.variables) > 1:
             return None
         base, name = self.base.fractions or self.base, self.variables[0]
@@ -129,7 +129,7 @@ class PolynomialRing(Ring):
             raise self.refuse(x) from None
 
     def parse(self, text: str) -> SparsePolynomial:
-        """Read a polynomial. Raises :class:`TooLargeError` where multiplying out would take too long."""
+        """Read a polynomial. Raises :class:`TooLargeError` if its expansion is too long."""
         text = from_unicode(text)
         _Size(len(self.variables)).of(syntax.parse(text))
         functions = {"/": self.divide, "**": self.power}
@@ -145,11 +145,11 @@ class PolynomialRing(Ring):
         return self.base(int(c) if self.characteristic else c)
 
     def is_zero(self, x: SparsePolynomial) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x == 0)
 
     def equal(self, x: SparsePolynomial, y: SparsePolynomial) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return bool(x == y)
 
     def key(self, x: SparsePolynomial) -> Hashable:
@@ -335,7 +335,7 @@ def flint_context(base: Ring, variables: tuple[str, ...]) -> Any:
 
 
 class _Size:
-    """Bounds the number of terms and the degree of what a text multiplies out to."""
+    """Bounds of the number of terms and the degree of the expansion of a text."""
 
     def __init__(self, variables: int) -> None:
         self.variables = variables

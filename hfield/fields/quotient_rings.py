@@ -69,7 +69,9 @@ class QuotientRing(SimpleExtension):
         return {} if self.gen_name == "I" else self.names()
 
     def closed_form(self, x: sympy.Expr) -> ExtensionElement:
-        """Return I where the ring has it, else what is rational. Raises :class:`CoercionError`."""
+        """Return the element of a closed form: I where the ring has it, or a rational number. Raises
+        :class:`CoercionError`.
+        """
         import sympy
 
         if x is sympy.I and self.gen_name == "I":

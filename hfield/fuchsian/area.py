@@ -36,7 +36,7 @@ def area(order: LatticeValue) -> Fraction:
 
 
 def elliptic_points(order: LatticeValue) -> dict[int, int] | None:
-    """Return how many elliptic points there are of each order; None for an order that is not Eichler.
+    """Return the number of elliptic points of each order; None for an order that is not Eichler.
 
     Over ℤ they are counted by optimal embeddings of ℤ[i] or ℤ[ω] (Voight, section 39.4).
     """
@@ -55,7 +55,7 @@ def elliptic_points(order: LatticeValue) -> dict[int, int] | None:
 
 
 def cusps(order: LatticeValue) -> int | None:
-    """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
+    """Return the number of cusps; None for an order in M₂(ℚ) that is not Eichler."""
     ambient, base = order.ambient, order.ambient.base
     if ambient.ramified or ambient.degree > 1:  # a division algebra
         return 0
@@ -69,7 +69,7 @@ def cusps(order: LatticeValue) -> int | None:
 
 
 def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
-    """Tell whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
+    """Return whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
 
     By strong approximation it does where ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits in its
     field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).

@@ -139,7 +139,8 @@ class TraceZeroLattice:
 
 
 class Ball:
-    """A ball around the point of an element, with a definite form that is small at what meets the ball.
+    """A ball around the point of an element, with a definite form that is small at elements whose point or
+    axis meets the ball.
 
     ``gram`` is the matrix of the form in a reduced basis of the lattice, ``steps`` the change to this basis.
     """
@@ -173,7 +174,7 @@ class Ball:
             self._norms = norms if any(norms[n][n] for n in range(3)) else None
 
     def bound(self, norm: Any) -> int:
-        """Return what the form is at most at elements of a norm whose point or axis meets the ball."""
+        """Return a bound of the form at elements of given norm whose point or axis meets the ball."""
         order, base, bound = self.lattice.order, self.lattice.base, 0.0
         for v in base.real_places:
             n, weight, share = (base.real(x, v) for x in (norm, self._gamma, self._beta))
@@ -183,7 +184,8 @@ class Ball:
         return math.floor(bound * (1 + MARGIN) * self._below + MARGIN)
 
     def roots(self, d: Any) -> Iterator[Quaternion]:
-        """Yield one of ±s for each primitive s with s² = d whose point or axis meets the ball, and others.
+        """Yield elements that include one of ±s for each primitive s with s² = d whose point or axis meets
+        the ball.
 
         Raises :class:`TooLargeError`.
         """
@@ -212,7 +214,7 @@ def _integers(matrix: fmpz_mat) -> list[list[int]]:
 
 
 def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
-    """Yield pairs (s, v) for all optimal embeddings whose point or axis meets a domain, and for some others.
+    """Yield pairs (s, v) that include all optimal embeddings whose point or axis meets a domain.
 
     s is the image of √d, and v is the vector of s in the plane of the domain. Only one of s and −s is
     yielded. Where s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a
@@ -350,7 +352,7 @@ def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
 
 
 def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
-    """Return how many orbits of embeddings there are, with all of them, as a statement with its evidence.
+    """Return the claim of the number of orbits of embeddings, with all orbits as evidence.
 
     Raises :class:`LatticeError` over other bases than ℤ, and as :func:`of_orbits` does.
     """
@@ -364,7 +366,7 @@ def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
 
 
 def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
-    """Yield images of √d whose point or axis meets balls around some points of the plane."""
+    """Yield images of √d whose point or axis meets a ball around one of some points of the plane."""
     lattice, rng = TraceZeroLattice(order), random.Random(1)
     plane = Plane(order, next(free_centers(order)))
     for _ in range(TRIALS):

@@ -166,7 +166,7 @@ def generators_by_cosets(order: SplitOrder, above: SplitOrder) -> Rows:
 
 
 def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
-    """Return points in a polygon, in Poincaré's disc, near which to look for units that are not known.
+    """Return points in a polygon, in Poincaré's disc, near which to search for further units.
 
     Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside
     the polygon tells nothing new.
@@ -218,7 +218,7 @@ def paired(found: Polygon) -> list[int] | None:
 
 
 def cycles_of(found: Polygon, partners: list[int]) -> list[VertexCycle]:
-    """Return the vertices up to the pairing, with what goes around them, having checked the angles.
+    """Return the vertex cycles of the side pairing, with checked angle sums.
 
     Around a vertex of the plane the angles have the sum 2π/order, the condition of Poincaré's theorem; at a
     cusp what goes around is parabolic.

@@ -113,7 +113,7 @@ def _point(polygon: Polygon, v: Vector, sign: int) -> Vector:
 
 
 def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
-    """Yield the sides, ends included, that the axis meets, or on which the point in the domain lies."""
+    """Yield the closed sides that the axis meets, or that contain the point of the domain."""
     if sign > 0:
         yield from (n for n, form in enumerate(polygon.forms) if dot(form, v) == 0)
         return
@@ -124,7 +124,7 @@ def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
 
 
 def axis_meets(polygon: Polygon, v: Vector) -> bool:
-    """Tell whether the axis of an element of trace 0 meets the polygon."""
+    """Return whether the axis of an element of trace 0 meets the polygon."""
     return any(True for _ in _met(polygon, v, -1))
 
 
@@ -198,7 +198,7 @@ def _axis(v: Vector) -> Vector:
 
 
 def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
-    """Return all hyperbolic units of up to a length whose axes meet the domain, and others, by their traces.
+    """Return hyperbolic units by trace, including all up to a length whose axes meet the domain.
 
     A geodesic from a point of the domain to its image is in tiles whose centres are no farther from the
     centre than its length and two radii of the domain.

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class Signature(NamedTuple):
-    """What the quotient is: genus, orders of the elliptic points, ascending, number of cusps."""
+    """The signature of the quotient: genus, ascending orders of the elliptic points, number of cusps."""
 
     genus: int
     orders: tuple[int, ...]
@@ -99,7 +99,7 @@ class Domain(Certified):
 
     @property
     def claim(self) -> CertifiedClaim:
-        """What the sides are, as a statement with its evidence."""
+        """The claim of the sides of the domain, with its evidence."""
         from hfield.fuchsian import certificates
 
         return certificates.of_domain(self)
@@ -112,22 +112,22 @@ class Domain(Certified):
 
     @cached_property
     def vertices(self) -> tuple[complex, ...]:
-        """About where the vertices lie in Poincaré's disc around the centre; cusps are on its circle."""
+        """Floats for the vertices in Poincaré's disc around the centre; cusps are on its circle."""
         return tuple(map(self.polygon.plane.disc, self.polygon.starts))
 
     @property
     def center_element(self) -> Quaternion:
-        """The element of trace 0 whose fixed point is the centre: the centre, exactly."""
+        """The exact centre: the element of trace 0 that fixes it."""
         return self.polygon.plane.center
 
     @property
     def center(self) -> complex:
-        """About where the centre lies in the upper half plane; :attr:`center_element` tells it exactly."""
+        """The centre in the upper half plane, as a float; :attr:`center_element` is exact."""
         return fixed_point(self.group.order, self.center_element)
 
     @property
     def stabiliser(self) -> Quaternion:
-        """The unit that generates, with −1, those of norm 1 that fix the centre: 1, or a least rotation.
+        """The generator, with −1, of the units of norm 1 that fix the centre: 1 or the least rotation.
 
         It turns counterclockwise, by 2π divided by its order modulo ±1, and maps the first side of the sector
         to the last.
@@ -184,7 +184,7 @@ class Domain(Certified):
         draw(self, path, dark=dark, depth=depth, replace=replace, points=points)
 
     def _repr_svg_(self) -> str:
-        """What a notebook shows."""
+        """The domain as SVG, for notebooks."""
         from hfield.fuchsian.picture import svg
 
         return svg(self)
@@ -291,14 +291,14 @@ class NormOneGroup(Certified, Hinted):
 
     @cached_property
     def _above(self) -> SplitOrder | None:
-        """A maximal order above, where the index is so large that its domain is needed."""
+        """A maximal order above this order, if the index is so large that its domain is used."""
         from hfield.fuchsian import dirichlet
 
         return dirichlet.order_above(self.order)
 
     @cached_property
     def _known(self) -> Any:
-        """Coordinates of units that generate the group, in the same case."""
+        """Coordinates of generators of the group of that order, in the same case."""
         from hfield.fuchsian import dirichlet
 
         return (

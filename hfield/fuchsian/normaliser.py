@@ -46,7 +46,7 @@ def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quat
 
 
 class Cosets:
-    """The elements that normalise an order, or those with some norms, modulo numbers and units of norm 1.
+    """The elements that normalise an order, or those of some norms, modulo scalars and units of norm 1.
 
     Coset n is represented by ``elements[n]``, an element of the order; the product of cosets m and n is
     number m ^ n. An element of the larger group is, up to a number, a representative times a unit:
@@ -78,13 +78,13 @@ class Cosets:
         return root is not None and z / root in self.order
 
     def block(self, n: int, rows: Any) -> Rows:
-        """Return coordinates in coset n of what has the given coordinates with respect to the order."""
+        """Return coordinates in coset n of an element given by coordinates with respect to the order."""
         found = np.zeros((len(rows), len(self.elements), self.size), dtype=np.int64)
         found[:, n] = rows
         return found.reshape(len(rows), -1)
 
     def element(self, row: Any) -> Quaternion | None:
-        """Return an element with these coordinates, or None if what it has there is no unit of norm 1."""
+        """Return the element with these coordinates, or None if it is not in the coset."""
         blocks = row.reshape(-1, self.size)
         n = int(abs(blocks).sum(axis=1).argmax())
         unit = self.order.element(blocks[n].tolist())
@@ -120,7 +120,7 @@ class Cosets:
 
 
 class CosetSight(Sight):
-    """The elements of cosets, divided by the roots of their norms, as they look from a point, in floats."""
+    """Elements of cosets, scaled to norm 1, in floats for a point of the plane."""
 
     def __init__(self, plane: Plane, cosets: Cosets) -> None:
         super().__init__(plane)

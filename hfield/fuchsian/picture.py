@@ -42,7 +42,7 @@ MAX_ARC_ANGLE = 0.75
 
 
 class DrawnSide(NamedTuple):
-    """A side of an image: the arc about ``center`` from one point to another; without centre straight."""
+    """A side of an image: the arc about ``center`` between two points; straight without a centre."""
 
     start: complex
     end: complex
@@ -63,7 +63,7 @@ class Area(NamedTuple):
 
 
 class DiscDrawing(NamedTuple):
-    """What every format draws, in the unit disc."""
+    """A drawing in the unit disc, independent of the format."""
 
     title: str
     facts: str
@@ -95,7 +95,7 @@ def draw(
     replace: bool | None = None,
     points: Iterable[CMPoint] = (),
 ) -> None:
-    """Draw a domain to a file. Raises :class:`LatticeError` where it cannot be written."""
+    """Draw a domain to a file. Raises :class:`LatticeError` if it cannot be written."""
     drawing = drawing_of(domain, dark, depth, points)
     try:
         with whole_file(Path(str(path)), replace) as part:
@@ -117,7 +117,7 @@ def svg(domain: Domain) -> str:
 def drawing_of(
     domain: Domain, dark: bool, depth: int | None, points: Iterable[CMPoint] = ()
 ) -> DiscDrawing:
-    """Return what is drawn of a domain: all that can be seen, or words of up to ``depth`` sides."""
+    """Return the drawing of a domain: all visible images, or those of words of up to ``depth`` sides."""
     numbers, corners = pair_numbers(domain), np.array(domain.vertices)
     colored = sorted(tessellation(domain, depth), key=lambda t: (t.length, t.first))
     areas = [
@@ -345,7 +345,7 @@ def _svg_entry(entry: LegendEntry) -> Iterator[str]:
 
 
 def _way(sides: list[DrawnSide], short: float = 0.0) -> str:
-    """Write sides that follow one another as a path; those shorter than ``short`` pixels are drawn as one."""
+    """Write consecutive sides as a path; runs of sides shorter than ``short`` pixels are drawn as one."""
     here = np.round(sides[0].start * RADIUS, DECIMALS)
     words = ["M" + _numbers(here)]
     skipped = False

@@ -80,7 +80,7 @@ class Plane:
         return p / (1 + sqrt(max(0.0, 1 - abs(p) ** 2)))
 
     def nearby(self, p: complex, bits: int) -> Quaternion:
-        """Return an element of trace 0 whose point lies about at p in Poincaré's disc, with so many bits."""
+        """Return an element of trace 0 whose point is near p in Poincaré's disc, to a precision in bits."""
         q = 2 * p / (1 + abs(p) ** 2)
         a, b = self.stretch
         c, u, w = self.axes
@@ -112,5 +112,5 @@ def meeting(f: Vector, g: Vector) -> Vector:
 
 
 def same_point(x: Vector, y: Vector) -> bool:
-    """Tell whether coordinates are multiples of one another."""
+    """Return whether coordinates are multiples of one another."""
     return bool(x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0])

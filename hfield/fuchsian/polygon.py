@@ -14,7 +14,8 @@ from hfield.fuchsian.plane import Motion, Plane, Vector, apply, dot, meeting
 
 
 class Polygon:
-    """What lies nearer to the centre c than to ``g·c`` for some g of positive norm, given counterclockwise.
+    """The points nearer to the centre c than to ``g·c``, for some g of positive norm, listed
+    counterclockwise.
 
     ``images[n]`` is ``g·c`` for ``units[n]``, ``forms[n]`` is 0 on the side halfway there, which
     goes from ``starts[n]`` to
@@ -44,7 +45,8 @@ class Polygon:
         return self if len(ends) == count else Polygon(self.plane, ends)
 
     def is_closed(self) -> bool:
-        """Tell whether the sides bound the polygon, in order, once around, and corners are points or cusps.
+        """Return whether the sides, in order, bound the polygon once around, with corners that are points
+        or cusps.
 
         The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of a dual plane; they
         are the corners

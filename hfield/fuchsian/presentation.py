@@ -41,7 +41,7 @@ def inverse(word: Sequence[int]) -> Word:
 
 
 def simplified(count: int, relations: list[Word]) -> tuple[list[int], list[Word], dict[int, Word]]:
-    """Put away generators that occur once in a relation.
+    """Eliminate generators that occur once in a relation.
 
     Return the generators that are left, relations between them, and every generator as a word of them; all by
     their old numbers.
@@ -85,7 +85,7 @@ def shortest(relation: Word) -> tuple[int, int, Word] | None:
 
 
 def replaced(word: Word, values: dict[int, Word]) -> Word:
-    """Put words for letters."""
+    """Substitute words for letters."""
     return tuple(x for letter in word for x in values.get(letter, (letter,)))
 
 

@@ -1,4 +1,5 @@
-"""Units of norm 1 that carry a point near others: short vectors of many definite forms at once, in arrays.
+"""Search units of norm 1 that carry a point near others, as short vectors of many definite forms, in
+arrays.
 
 For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite forms in g.
 Seen from the centre alone the units that are needed are long; seen from one random point w after the other
@@ -38,7 +39,7 @@ MAX_COSH = 1e9
 
 
 class Sight:
-    """An order as it looks from the centre of a plane, in floats.
+    """An order in float coordinates around the centre of a plane.
 
     At the place that splits, x is the matrix ``[[a, b], [conj(b), conj(a)]]`` that moves 0 in the disc
     to b/conj(a).
@@ -95,7 +96,7 @@ class Sight:
         return a, b
 
     def turn_about_center(self, rotation: Quaternion, order: int) -> None:
-        """Let a rotation around the centre, of an order, be what :meth:`turned` multiplies units by."""
+        """Set the rotation around the centre by which :meth:`turned` multiplies units, and its order."""
         powers = np.array(self.plane.order.rows([rotation**n for n in range(order)]))
         # x ↦ gⁿ·x, and x ↦ x·gⁿ
         self._turns = self.left(powers), np.einsum("nj,ijk->nik", powers, self.products)
@@ -136,7 +137,7 @@ class Sight:
         return distinct(self.units(self.near(points, cosh)))
 
     def near(self, points: Any, cosh: float | None = None) -> Rows:
-        """Return elements other than 0, up to the sign, that are short from some point of the disc."""
+        """Return nonzero elements, up to sign, that are short for some point of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
         which, vectors = short_vectors(steps @ forms, len(self.other_norms) + 1 + 1e-9)
@@ -146,7 +147,7 @@ class Sight:
         return np.concatenate(rows)
 
     def of_norm(self, rows: Rows, sign: int) -> Any:
-        """Tell of which elements the norm is ±1, at the place with this sign."""
+        """Return which elements have norm ±1, with this sign at the place."""
         a, b = self.motions(rows)
         good = abs(abs(a) ** 2 - abs(b) ** 2 - sign) < 0.2
         for form in self.other_norms:
@@ -154,7 +155,7 @@ class Sight:
         return good
 
     def units(self, rows: Rows) -> Rows:
-        """Return those of norm 1 that are not ±1 and do not go too far."""
+        """Return the elements of norm 1 other than ±1 that move the centre by a bounded distance."""
         a, b = self.motions(rows)
         far = abs(a) ** 2 > MAX_COSH
         return rows[
@@ -195,7 +196,7 @@ def split_order(order: LatticeValue) -> SplitOrder:
 
 
 def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
-    """Tell whether some unit other than ±1 seems to fix the centre."""
+    """Return whether a unit other than ±1 fixes the centre, up to rounding."""
     sight = Sight(Plane(order, center))
     found = sight.motions(sight.carrying(np.zeros(1), 1.01))[1]
     return bool((abs(found) < EQUAL_WITHIN).any())
@@ -245,7 +246,7 @@ def reduction(vectors: Any) -> Any:
 
 
 def positive(rows: Rows) -> Rows:
-    """Return rows or their negatives, those whose first entry that is not 0 is positive."""
+    """Return the rows, negated where the first nonzero entry is negative."""
     first = rows[np.arange(len(rows)), (rows != 0).argmax(axis=1)]
     return rows * np.where(first < 0, -1, 1)[:, None]
 

@@ -1,4 +1,4 @@
-"""Dirichlet domains in floats, of what a search finds: which units bound, and whether they seem enough.
+"""Dirichlet domains in floats from a search of units: the bounding units, and whether more are needed.
 
 Units are reduced by one another until those that bound a polygon pair its sides (Voight,
 *J. Théor. Nombres Bordeaux* 21, 2009). Nothing here is a proof; ``dirichlet`` has it.

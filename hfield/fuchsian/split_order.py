@@ -1,4 +1,4 @@
-"""What the group of an order is computed from: the order, and its field at the real place where it splits."""
+"""An order with the real place at which its algebra splits, from which its group is computed."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class SplitOrder:
         return f"{article} {self.title} in {self.algebra}"
 
     def __contains__(self, x: Quaternion) -> bool:
-        """Tell whether an element of the algebra lies in the order."""
+        """Return whether an element of the algebra lies in the order."""
         return contains(self.order, x)
 
     # --- formulas ----------------------------------------------------------------------------------
@@ -67,11 +67,11 @@ class SplitOrder:
         return area.area(self.order)
 
     def elliptic_points(self) -> dict[int, int] | None:
-        """Return how many elliptic points there are of each order, where a formula tells."""
+        """Return the number of elliptic points of each order, if a formula gives it."""
         return area.elliptic_points(self.order)
 
     def cusps(self) -> int | None:
-        """Return how many cusps there are, where a formula tells."""
+        """Return the number of cusps, if a formula gives it."""
         return area.cusps(self.order)
 
     # --- numbers -----------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ class SplitOrder:
     # --- elements ----------------------------------------------------------------------------------
 
     def primitive(self, x: Quaternion) -> Quaternion:
-        """Return a multiple, by a number, that lies in the order, without what divides it."""
+        """Return the primitive scalar multiple in the order."""
         into = scalars_into(multiple(self.order, x, "left"), self.order)
         scales, base = self.base.short_elements(into, SCALES), self.base
         norm = self.scalar(x.norm())

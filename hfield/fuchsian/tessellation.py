@@ -1,4 +1,4 @@
-"""The images of a Dirichlet domain that tile the disc: which there are, decided exactly; where, in floats."""
+"""The images of a Dirichlet domain that tile the disc: chosen exactly, placed in floats."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MAX_TILES = 5000
 
 @dataclass(frozen=True)
 class Tile:
-    """The image of the domain under a unit g, and what its colour comes from."""
+    """The image of the domain under a unit g, and the value that determines its colour."""
 
     row: tuple[int, ...]
     """The coordinates of g with respect to the basis of the order; of g and −g those that begin positive."""

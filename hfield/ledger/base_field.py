@@ -45,7 +45,7 @@ def texts(F: Ring, q: Coordinates) -> list[str]:
 
 
 def known_equal(F: Ring, x: Any, y: Any) -> bool | None:
-    """Tell whether x = y; None where they agree to all digits that are known, as in a local field.
+    """Return whether x = y; None where they agree to all digits that are known, as in a local field.
 
     A number there that was found by Hensel's lemma stands for the root that begins with its digits.
     """
@@ -142,7 +142,7 @@ class IsDivisionAlgebra:
 
 @lru_cache(maxsize=64)
 def _counted(F: Ring) -> tuple[str, ...]:
-    """Say how many elements of H(F) have norm 0: by formula, and one by one over a small field."""
+    """Return the number of elements of H(F) of norm 0: by formula, and by enumeration over a small field."""
     if F.order is None:
         return ()
     formula = structure.count(F, hamilton(F), "norm", F.zero)

@@ -1,4 +1,4 @@
-"""A claim of a ledger: what it says, the propositions that decide it, and the row that it becomes."""
+"""A claim of a ledger: its text, the propositions that decide it, and its row."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PANEL = (
 
 
 class Proposition(Protocol):
-    """Something true or false over each field; ``text`` says what, ``statement`` in formal terms."""
+    """A proposition over each field; ``text`` in words, ``statement`` in formal terms."""
 
     @property
     def text(self) -> str:
@@ -46,7 +46,7 @@ class TemplateProposition:
 
     @property
     def statement(self) -> str:
-        """The same in the vocabulary of certificates."""
+        """The statement in the vocabulary of certificates."""
         return self.in_certificates.format_map(vars(self))
 
 
@@ -163,7 +163,7 @@ def decide(claim: Claim, field: str) -> Row:
 
 @dataclass(frozen=True)
 class ComputedResult:
-    """What a computation found: whether the proposition holds, and lines that show it.
+    """The result of a computation: whether the proposition holds, and the lines that show it.
 
     ``witness`` holds the values at which it fails, where there are any to name.
     """

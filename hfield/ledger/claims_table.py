@@ -25,7 +25,7 @@ _LEAST_NAME = 12
 
 @dataclass(frozen=True)
 class TerminalStyle:
-    """How a terminal wants its text: columns, whether it can show unicode, and colours."""
+    """The style of a terminal: width, unicode, colours."""
 
     width: int = 100
     ascii_only: bool = False
@@ -61,7 +61,7 @@ class TerminalStyle:
 
 
 def columns_of(rows: Sequence[Row]) -> list[str]:
-    """Return the fields of the rows, those of the panel in its order and the others behind."""
+    """Return the fields of the rows: those of the panel in its order, then the others."""
     return sorted(dict.fromkeys(row.field for row in rows), key=panel_order)
 
 

@@ -1,4 +1,4 @@
-"""The columns of the ledger: their names read, and short heads for them."""
+"""The columns of the ledger: reading their names, and short headings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One decision in lines of text: verdict, steps, what is assumed, and the witness, worked out."""
+"""One decision as lines of text: verdict, steps, assumptions, and the evaluated witness."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def worked_out(
     field: str,
     algebra: str | None = None,
 ) -> list[str]:
-    """Work out the comparisons of a statement that fail at a witness: ``p·q = k ≠ −k = q·p``.
+    """Evaluate the comparisons of a statement that fail at a witness: ``p·q = k ≠ −k = q·p``.
 
     ``algebra`` is H if None. Returns nothing for a claim in words, or one with ``exists``.
     """

@@ -1,4 +1,4 @@
-"""Ledgers as documents: claims in TOML, ``hfield-ledger/1``, those of the thesis and anyone's own."""
+"""Ledgers as TOML documents ``hfield-ledger/1``: the thesis's and a user's own."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ MAX_BYTES = 4_000_000
 
 
 class LedgerError(HFieldError, ValueError):
-    """A ledger that cannot be read; the message names the file, the line or the claim, and the key.
+    """A ledger cannot be read; the message names the file, the line or the claim, and the key.
 
     >>> issubclass(LedgerError, ValueError)
     True
@@ -43,7 +43,7 @@ class LedgerError(HFieldError, ValueError):
 
 @dataclass(frozen=True)
 class Propositions:
-    """The propositions of a claim that are no statements of the language, so that Python decides them."""
+    """The propositions of a claim that are not statements of the language and are decided in Python."""
 
     as_printed: Proposition | None = None
     spoilt: Proposition | None = None
@@ -94,7 +94,7 @@ def read_ledgers(paths: Sequence[str | Path]) -> tuple[Claim, ...]:
 def load(
     package: str, file: str, computed: Mapping[str, Propositions] | None = None
 ) -> tuple[Claim, ...]:
-    """Load a ledger that lies in a package; ``computed`` has by id what Python decides there."""
+    """Load a ledger of a package; ``computed`` maps ids to propositions decided in Python."""
     text = (files(package) / file).read_text(encoding="utf-8")
     return _Document(text, file, (package, file)).claims(computed or {}, verify=False)
 
@@ -259,7 +259,7 @@ class _Document:
         return columns
 
     def _verify(self, claim: Claim, data: Mapping[str, Any]) -> None:
-        """See that each statement can be read in one of the claim's columns at least."""
+        """Check that each statement can be read in at least one column of the claim."""
         from hfield.prover.statements.language import read_statement
 
         if claim.as_printed is None and ("corrected" in data or "spoilt" in data):

@@ -15,7 +15,7 @@ from hfield.prover.decision import REFUTED
 
 @dataclass(frozen=True)
 class Erratum:
-    """One claim that is refuted somewhere: its rows, and what follows from them."""
+    """One claim that is refuted over some field: its rows and the correction."""
 
     claim: Claim
     rows: tuple[Row, ...]
@@ -40,7 +40,7 @@ class Erratum:
 
     @property
     def failures(self) -> list[str]:
-        """What fails at the witness, worked out; for a claim in words, the last step."""
+        """The failing comparisons at the witness; for a claim in words, the last step."""
         decision, printed = self.telling.as_printed, self.claim.as_printed
         text = printed.text if printed else ""
         return worked_out(text, decision.witness, self.telling.field) or [

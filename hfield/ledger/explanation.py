@@ -1,4 +1,4 @@
-"""One decision in full, as one would put it on a blackboard: ``hfield explain``."""
+"""One decision in full, for ``hfield explain``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Claims of linear algebra: the centre, in each field and for all at once; whether vectors are a basis."""
+"""Claims of linear algebra: the centre, over one field and over all; whether vectors are a basis."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ def table(grid: Sequence[Sequence[str]]) -> str:
 
 
 def _escape(text: str) -> str:
-    """Keep a text from being read as Markdown."""
+    """Escape a text for Markdown."""
     for mark in "\\|*_`[]<>":
         text = text.replace(mark, f"\\{mark}")
     return text

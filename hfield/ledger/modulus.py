@@ -49,7 +49,7 @@ class ModulusDefined:
     statement = "modulus-exists"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Look for a small q whose norm is not a square; else say why every norm is one."""
+        """Search for a small q whose norm is not a square, or prove that every norm is one."""
         if field is None:
             return search_panel(self)
         for q in chain(small_elements(field), self._norm_without_root(field)):

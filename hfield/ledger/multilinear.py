@@ -130,7 +130,7 @@ def _word(t: Tuple) -> str:
 
 @lru_cache(maxsize=64)
 def _determines(choice: Any, k: int) -> bool:
-    """Tell whether nothing is left of f − g if they agree on ``choice(k)``; no field plays a part."""
+    """Return whether f = g follows if they agree on ``choice(k)``, over every field."""
     form = Form(k)
     left = form(*form.arguments)
     for t in set(choice(k)):
@@ -161,7 +161,7 @@ class DeterminedBy:
         return for_every_k(core) if self.assumes else core
 
     def decide(self, field: Ring | None) -> Decision:
-        """Set the entries h_t of f − g to 0 on the tuples given, and see what is left of f − g."""
+        """Set the entries h_t of f − g to 0 on the given tuples; the claim holds if f − g becomes 0."""
         steps: list[str] = []
         for k in self.arities:
             given = set(self.choice(k))

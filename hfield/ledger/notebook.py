@@ -45,7 +45,7 @@ class Report:
 
 
 def verify(*names: str | Iterable[str], field: RingName | Iterable[RingName] = ()) -> Report:
-    """Decide claims of the thesis and show what came out, with the errata.
+    """Decide claims of the thesis and show the table, with the errata.
 
     ``names`` are ids, names or numbers, or lists of them (all claims without any), ``field`` is a field, its
     name, names with commas between them, or several of these (the whole panel without any).

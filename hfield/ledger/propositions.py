@@ -51,12 +51,12 @@ class Assertion:
 
     @property
     def statement(self) -> str:
-        """The same, as the prover puts the hypotheses in front."""
+        """The statement with its hypotheses in front."""
         parts = (*self.given, self.formula)
         return " => ".join(f"({part})" for part in parts) if self.given else self.formula
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it by the prover; what holds over every commutative ring holds over the field.
+        """Decide it by the prover; a proof over every commutative ring also holds over the field.
 
         Where the field has no such constants as the statement names, it means nothing there.
         """
@@ -88,7 +88,7 @@ class Every:
         return f"every{{{'; '.join(part.statement for part in self.parts)}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide every part; what stops the proof decides the whole."""
+        """Decide every part; the first part that is not proved decides the whole."""
         steps: list[str] = []
         methods: list[str] = []
         decisions: list[Decision] = []
@@ -213,7 +213,7 @@ class Presented:
 
     @property
     def statement(self) -> str:
-        """The same as certificates state it."""
+        """The statement in the form of certificates."""
         return presentation_text(RELATIONS, self.goals, self.identity)
 
     def decide(self, field: Ring | None) -> Decision:

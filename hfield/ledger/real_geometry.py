@@ -21,7 +21,7 @@ REAL = "RR"
 
 @dataclass(frozen=True)
 class Angles:
-    """``core`` about points of the circle; ``real`` is what it takes over RR besides.
+    """A claim on angles: ``core`` about points of the circle, and ``real``, the further condition over RR.
 
     Over RR, and over all fields, of which it is one, the decision cites that the points of the circle
     are the points (cos θ, sin θ). Over any other field ``real`` is not looked at.
@@ -42,7 +42,7 @@ class Angles:
         return f"angles{{{'; '.join(part.statement for part in parts)}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide the core over ``field``, and what it takes over RR if ``field`` is that, or None."""
+        """Decide the core over ``field``, and the real part if ``field`` is RR or None."""
         if field is not None and field.name != REAL:
             return self.core.decide(field)
         whole = Every((self.core, InField(REAL, self.real))) if self.real else self.core
@@ -53,7 +53,9 @@ class Angles:
 
 @dataclass(frozen=True)
 class Analysis:
-    """What a theorem of analysis (a key of ``CITED_BY_NAME``) makes of a proposition, over RR alone."""
+    """A proposition over RR that follows from another by a cited theorem of analysis (a key of
+    ``CITED_BY_NAME``).
+    """
 
     theorem: str
     proposition: Proposition

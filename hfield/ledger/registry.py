@@ -1,4 +1,4 @@
-"""All claims there are: chapter 1, and what other packages bring as entry points."""
+"""The registry of claims: chapter 1, and claims of other packages by entry points."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _POLISH |= {"przykład": "example", "przyklad": "example", "tabela": "table", "t
 
 @lru_cache(maxsize=1)
 def claims() -> tuple[Claim, ...]:
-    """Return all claims, by section: chapter 1, and what other packages add.
+    """Return all claims by section, those of other packages included.
 
     They add theirs as entry points ``hfield.claims``, which come in any order. Sections that are no
     numbers come last.

@@ -76,7 +76,7 @@ def _counts(rows: Sequence[Row]) -> list[str]:
 
 
 def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
-    """Say how many rows there are of each verdict, in lines of a width."""
+    """Return the number of rows of each verdict, in lines of a width."""
     counts = tally(rows)
     claims = {row.claim.id: row.claim for row in rows}
     beyond = [claim.id for claim in claims.values() if not claim.checkable]
@@ -96,7 +96,7 @@ def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
 
 
 def conclusion(rows: Sequence[Row], width: int = _WIDTH) -> str:
-    """Say whether all is as expected, and what is not."""
+    """Return whether all verdicts are as expected, and list the others."""
     if as_expected(rows):
         text = (
             "All is as expected: every row has a verdict, none contradicts another, "
@@ -124,7 +124,7 @@ def erratum_text(erratum: Erratum, style: TerminalStyle) -> str:
 
 
 def _undecided(rows: Sequence[Row]) -> list[str]:
-    """Say what was tried for the rows that are undecided, those of a claim together."""
+    """Return what was tried for undecided rows, grouped by claim."""
     fields: dict[tuple[str, str, str], list[str]] = {}
     for row in rows:
         for what, decision in (("printed", row.as_printed), ("corrected", row.as_corrected)):

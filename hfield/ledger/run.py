@@ -73,7 +73,7 @@ def decide_row(claim: Claim, field: str) -> Row:
 
 
 def contradictions(rows: Sequence[Row]) -> list[str]:
-    """Name what cannot all be true: proved in general and refuted in one field, or a false correction."""
+    """Return contradictions: proved in general and refuted over one field, or a refuted correction."""
     everywhere = {row.claim.id: row for row in rows if row.field == UNIVERSAL}
     fields = {name for name in {row.field for row in rows} if _is_field(name)}
     found: dict[str, list[str]] = {}

@@ -35,7 +35,7 @@ class Negation(TemplateProposition):
     in_certificates = "not-everywhere{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Go through the panel (or look at the one field given) and show what was found in each."""
+        """Decide over each field of the panel (or over the given one) and show the results."""
         names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
         found = {name: self.proposition.decide(ring(name)) for name in names}
         steps = [_found(name, decision) for name, decision in found.items()]
@@ -53,7 +53,7 @@ class Negation(TemplateProposition):
 
 @dataclass(frozen=True)
 class InField(TemplateProposition):
-    """A proposition about one ring, the one named, whatever the column: what claims of no field are.
+    """A proposition about one named ring, whatever the column; for claims about no field.
 
     A witness names that ring under the key ``F``.
     """
@@ -83,7 +83,7 @@ class OnlyOver(TemplateProposition):
     in_certificates = "angles{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it where it means something."""
+        """Decide it over the rings where it has a meaning."""
         if field is None or field.name not in self.fits:
             return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
         decision = self.proposition.decide(field)
@@ -91,7 +91,7 @@ class OnlyOver(TemplateProposition):
 
 
 def _found(name: str, decision: Decision) -> Step:
-    """Say what was found over one field: the verdict, where it fails, and the last step."""
+    """Return the result over one field in words: the verdict, where it fails, and the last step."""
     line = say(decision.verdict, text=name)
     if decision.witness:
         line = say("at", verdict=line, values=witness_text(decision.witness))
@@ -99,7 +99,7 @@ def _found(name: str, decision: Decision) -> Step:
 
 
 def by_lemmas(everywhere: Proposition) -> Decision:
-    """Decide over all fields by what shows it there; the lemmas' proofs become the evidence."""
+    """Decide over all fields by lemmas, whose proofs become the evidence."""
     decision = everywhere.decide(None)
     if decision.verdict != "proved" or decision.evidence is None:
         return decision

@@ -1,4 +1,4 @@
-"""Carry what is proved for every commutative ring over to one field."""
+"""Transfer a proof over every commutative ring to one field."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class _General:
 
     @cached_property
     def place(self) -> Assignment | None:
-        """Small integers that satisfy the hypotheses, None where none were found."""
+        """Small integers that satisfy the hypotheses, or None if none were found."""
         hypotheses = self.problem.statement.hypotheses
         if not hypotheses:
             return {}
@@ -52,7 +52,7 @@ class _General:
         return true_place(problem.for_formula(conjunction(hypotheses)), PLACES)
 
     def is_satisfiable(self, characteristic: int) -> bool:
-        """Tell whether those integers satisfy the hypotheses modulo a characteristic as well."""
+        """Return whether these integers satisfy the hypotheses also modulo the characteristic."""
         if self.place is None:
             return False
         statement, trees = self.problem.statement, self.problem.setting.trees

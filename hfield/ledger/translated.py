@@ -41,7 +41,7 @@ _DEEPEST = 6  # phrases within phrases
 
 @dataclass(frozen=True)
 class TranslatedClaim:
-    """What a claim says; ``holds`` and ``corrected`` are what is decided, where that is said in words."""
+    """The texts of a claim in another language; ``holds`` and ``corrected`` for propositions in words."""
 
     name: str
     statement: str
@@ -51,7 +51,7 @@ class TranslatedClaim:
 
 
 class Translation:
-    """Texts of claims by their ids, whole texts by what they say in English, and phrases with slots.
+    """Translations: texts of claims by id, whole texts by the English text, and phrases with slots.
 
     Raises :class:`LedgerError` for a document of texts that cannot be read.
     """
@@ -98,7 +98,7 @@ class Translation:
         yield from ((text, said) for text, said in pairs if text and said)
 
     def say(self, text: str, depth: int = _DEEPEST) -> str | None:
-        """Return a text in the language, formulas as they are; None where something has no translation."""
+        """Translate a text, leaving formulas unchanged; None if a part has no translation."""
         if depth < _DEEPEST:
             return self._say(text, depth)
         if isinstance(text, Step):
@@ -122,7 +122,7 @@ class Translation:
 
 
 def is_formula(text: str, names: frozenset[str] = SIGNS) -> bool:
-    """Tell whether a text has no words: letters, products of the basis, names, or a statement's syntax.
+    """Return whether a text has no words: letters, products of the basis, names, or a statement's syntax.
 
     >>> is_formula("q = 1 + ijk"), is_formula("p == 0 or q == 0"), is_formula("q is 0")
     (True, True, False)
@@ -149,7 +149,7 @@ def _in_signs(text: str) -> str:
 
 
 def _pattern(text: str) -> re.Pattern[str]:
-    """Return a pattern whose slots take as little as they can; a slot that comes twice takes the same."""
+    """Return a pattern with lazy slots; a repeated slot must match the same text."""
     seen: set[str] = set()
     out = ""
     for n, part in enumerate(_SLOT.split(text)):

@@ -27,13 +27,13 @@ def pretty(text: str) -> str:
 
 
 def over(field: str) -> str:
-    """Say where a decision was taken."""
+    """Return over which ring a decision was made, in words."""
     named = {UNIVERSAL: "over every commutative ring", NO_FIELD: "about no field in particular"}
     return named.get(field, f"over {field}")
 
 
 def name_fields(some: Sequence[str], every: Sequence[str]) -> str:
-    """Say which of the columns ``every`` are meant, in the shortest of three ways.
+    """Return which of the columns ``every`` are meant, in the shortest of three forms.
 
     >>> name_fields(["QQ", "RR"], ["QQ", "RR", "CC"])
     'QQ, RR'

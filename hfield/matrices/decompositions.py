@@ -63,7 +63,9 @@ def right_eigenvalues(M: Matrix) -> Any:
 
 
 def _paired(values: np.ndarray) -> np.ndarray:
-    """Return one of each pair of conjugates: what is farthest from ℝ, with what its conjugate is near."""
+    """Return one of each pair of conjugate eigenvalues: the farthest from ℝ, paired with the nearest to
+    its conjugate.
+    """
     *shape, count = values.shape
     left, out = values.reshape(-1, count), []
     rows = np.arange(len(left))
@@ -185,7 +187,7 @@ def _matrix(M: Matrix, pair: Pair) -> Matrix:
 
 
 def _lapack(function: Any, matrices: np.ndarray) -> Any:
-    """Return what LAPACK finds of matrices over their scale: some of its builds fail on large entries."""
+    """Apply LAPACK to scaled matrices, since some builds fail on large entries."""
     try:
         return function(matrices / _scale(matrices)[..., None, None])
     except np.linalg.LinAlgError as error:

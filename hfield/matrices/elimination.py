@@ -1,4 +1,4 @@
-"""Eliminate in matrices over an algebra by units, and by coordinates where there are none.
+"""Gaussian elimination over an algebra by unit pivots, and by coordinates where there are none.
 
 Rows are multiplied from the left, so that solutions stay: where an entry is a unit, its column becomes one
 of the identity. Over a division algebra nothing is left; m rows of n entries without a unit are a 4m × 4n
@@ -89,7 +89,7 @@ class Cleared:
 
     @property
     def core(self) -> list[list[Scalar]]:
-        """What is left, over the base ring; its columns are the free ones."""
+        """The remaining equations over the base ring, in the free columns."""
         return over_ring([[row[c] for c in self.free] for row in self.rest])
 
     def rank(self) -> Fraction:
@@ -158,7 +158,7 @@ def dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
 
 
 def generators(A: Parent, basis: list[list[Scalar]], right: bool) -> list[Vector]:
-    """Choose of a basis over F of a module, given by coordinates, those that generate it over A."""
+    """Choose vectors of an F-basis of a module, given by coordinates, that generate it over A."""
     F, chosen = A.ring, list[Vector]()
     span: list[list[Scalar]] = []
     for v in basis:

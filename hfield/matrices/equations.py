@@ -193,7 +193,7 @@ UNKNOWNS = "xyzuvwpqrst"
 
 
 def unknowns_in(algebra: Parent, texts: Sequence[str]) -> list[str]:
-    """Return the letters from p to z in equations that mean nothing else."""
+    """Return the letters from p to z in equations that have no other meaning."""
     ring = algebra.ring
     letters = [x for x in UNKNOWNS if x not in ring.names()]
     words: set[str] = set()

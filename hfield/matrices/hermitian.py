@@ -23,7 +23,7 @@ class DiagonalForm(NamedTuple):
 
 
 class HermitianSignature(NamedTuple):
-    """How many entries of a diagonal form are positive, negative and 0 in an ordering."""
+    """The numbers of positive, negative and zero entries of a diagonal form in an ordering."""
 
     positive: int
     negative: int
@@ -85,7 +85,7 @@ def _make_unit(M: Matrix, rows: list[list[Quaternion]], k: int, add: Any) -> int
 
 
 def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
-    """Return how many entries of a diagonal form have which sign: of all the same (Sylvester).
+    """Return the signature of a diagonal form, which is the same for all of them (Sylvester).
 
     Raises :class:`RingError` unless the norm of the algebra is positive in the ordering, which there is.
     """
@@ -101,13 +101,13 @@ def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
 
 
 def is_positive_definite(M: Matrix, ordering: int = 0) -> bool:
-    """Tell whether x*·M·x > 0 in the ordering for every x that is not 0."""
+    """Return whether x*·M·x > 0 in the ordering for every x that is not 0."""
     _expect_hermitian(M)
     return is_definite(M, ordering) and signature(M, ordering).positive == M.shape[0]
 
 
 def is_definite(M: Matrix, ordering: int) -> bool:
-    """Tell whether the norm of the algebra is positive in the ordering."""
+    """Return whether the norm of the algebra is positive in the ordering."""
     F, c = M.algebra.ring, M.algebra.constants
     F.check_ordering(ordering)
     values = (-(c.t * c.t + c.a * F(4)), -c.b)

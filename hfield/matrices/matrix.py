@@ -105,7 +105,7 @@ class Matrix(PrintedBySympy):
 
     @property
     def shape(self) -> tuple[int, int]:
-        """How many rows and columns there are."""
+        """The numbers of rows and columns."""
         return len(self.rows), len(self.rows[0])
 
     def __getitem__(self, place: tuple[int, int]) -> Quaternion:
@@ -145,7 +145,7 @@ class Matrix(PrintedBySympy):
         return self.conjugate().T
 
     def is_hermitian(self) -> bool:
-        """Tell whether the matrix is its own adjoint."""
+        """Return whether the matrix is its own adjoint."""
         return self == self.conjugate_transpose()
 
     def diagonal_form(self) -> DiagonalForm:
@@ -179,7 +179,7 @@ class Matrix(PrintedBySympy):
         return signature(self, ordering)
 
     def is_positive_definite(self, ordering: int = 0) -> bool:
-        """Tell whether x*·M·x > 0 for every x ≠ 0, in an ordering of F, for a hermitian matrix."""
+        """Return whether x*·M·x > 0 for every x ≠ 0, in an ordering of F, for a hermitian matrix."""
         from hfield.matrices.hermitian import is_positive_definite
 
         return is_positive_definite(self, ordering)
@@ -313,7 +313,7 @@ class Matrix(PrintedBySympy):
         return tuple(x for x, _ in found)
 
     def is_invertible(self) -> bool:
-        """Tell whether there is an inverse: whether the reduced norm is a unit."""
+        """Return whether there is an inverse: whether the reduced norm is a unit."""
         return self.shape[0] == self.shape[1] and self.algebra.ring.is_unit(self.reduced_norm())
 
     def inverse(self) -> Matrix:

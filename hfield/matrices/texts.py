@@ -166,11 +166,11 @@ def _literal(algebra: Parent, text: str) -> Matrix:
 
 
 def _is_bracket(text: str) -> bool:
-    """Tell whether a text is one pair of square brackets, with what it has inside."""
+    """Return whether a text is one matching pair of square brackets with its content."""
     text = text.strip()
     return text[:1] == "[" and text[-1:] == "]" and not any(True for _ in outside(text))
 
 
 def has_matrix(text: str) -> bool:
-    """Tell whether two brackets open together somewhere."""
+    """Return whether two brackets open together somewhere."""
     return _matrix_at(text) is not None

@@ -20,10 +20,10 @@ class AllowedNorms(Protocol):
         """Yield some allowed norms of at least this size, the first ones close to it."""
 
     def without(self, n: int) -> AllowedNorms:
-        """Return what is left when n was used."""
+        """Return the allowed norms divided by n."""
 
     def divisible_by(self, n: int) -> bool:
-        """Tell whether an allowed norm may have the prime factor n."""
+        """Return whether an allowed norm may have the prime factor n."""
 
 
 SUPPLY = 12
@@ -45,7 +45,7 @@ class Powers:
         return self
 
     def divisible_by(self, n: int) -> bool:
-        """Tell whether n is the prime."""
+        """Return whether n is the prime."""
         return n == self.prime
 
 
@@ -103,7 +103,7 @@ class Divisors:
         return Divisors(tuple(rest))
 
     def divisible_by(self, n: int) -> bool:
-        """Tell whether n is one of the primes."""
+        """Return whether n is one of the primes."""
         return any(p == n for p, _ in self.factors)
 
     def ascending(self) -> Iterator[int]:

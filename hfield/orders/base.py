@@ -140,7 +140,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the basis in which lattices of an algebra are kept."""
 
     def is_definite(self, constants: Constants[NumberT]) -> bool:
-        """Tell whether an algebra ramifies at all infinite places."""
+        """Return whether an algebra ramifies at all infinite places."""
 
     is_totally_real: bool
     real_places: tuple[int, ...]
@@ -151,7 +151,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """The ideal of all integers."""
 
     def prime(self, x: object) -> PrimeT:
-        """Return what a user gives as a prime. Raises :class:`LatticeError` for what is none."""
+        """Return a prime from user input. Raises :class:`LatticeError` for anything else."""
 
     def primes_above(self, p: int) -> list[tuple[Prime, PrimeT]]:
         """Return the primes above a prime number: as the ring has them, and as :meth:`prime` returns them."""
@@ -172,13 +172,13 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
 
     @property
     def number_of_units(self) -> int | None:
-        """How many units there are, None for infinitely many."""
+        """The number of units; None if it is infinite."""
 
     def norm_bound(self, lattice: LatticeValue, n: object) -> int:
         """Return the largest value that norms may have for a bound that a user gives, over the content."""
 
     def absolute_norm(self, ideal: IdealT) -> int:
-        """Return how many residues there are modulo an integral ideal."""
+        """Return the number of residues modulo an integral ideal."""
 
     def valuation(self, ideal: IdealT, prime: PrimeT) -> int:
         """Return the exponent of a prime in an ideal."""
@@ -208,7 +208,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
     def integral_ideal(self, x: object, what: str = "norm") -> IdealT:
-        """Return what a user gives as a norm, or a level, its text too.
+        """Return an integral ideal from user input for a norm or a level, also as text.
 
         Raises :class:`LatticeError` for what is no integral ideal.
         """
@@ -236,10 +236,10 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """
 
     def is_integral(self, ideal: IdealT) -> bool:
-        """Tell whether all elements of an ideal are integers."""
+        """Return whether all elements of an ideal are integers."""
 
     def are_coprime(self, first: IdealT, second: IdealT) -> bool:
-        """Tell whether the sum of two integral ideals is 1."""
+        """Return whether the sum of two integral ideals is 1."""
 
     @property
     def narrow_classes(self) -> NarrowRepresentatives[NumberT, IdealT]:
@@ -277,13 +277,13 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the inverse of an ideal."""
 
     def ideal(self, x: object) -> IdealT:
-        """Return what a user gives as an ideal, a number or an element, as an ideal."""
+        """Return an ideal from user input: an ideal, a number or an element."""
 
     def is_ideal(self, x: object) -> TypeGuard[IdealT]:
-        """Tell whether lattices are multiplied by x as by an ideal of the base."""
+        """Return whether x acts on lattices as an ideal of the base."""
 
     def is_totally_positive(self, x: NumberT) -> bool:
-        """Tell whether an element is positive at all infinite places."""
+        """Return whether an element is positive at all infinite places."""
 
     def sign(self, x: NumberT, place: int) -> int:
         """Return the sign of an element at a real place, −1, 0 or 1."""
@@ -298,7 +298,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return a square root of an element, as one of ``ring``, or None."""
 
     def short_elements(self, ideal: IdealT, count: int) -> Iterable[NumberT]:
-        """Return up to so many elements of an ideal that are short; over ℤ its generator."""
+        """Return up to a number of short elements of an ideal; over ℤ its generator."""
 
     def ideal_classes(self, most: int) -> list[IdealT]:
         """Return one ideal of each class, 1 first. Raises :class:`TooLargeError` for more than ``most``."""
@@ -328,7 +328,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return an ideal as an index that a user sees."""
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:
-        """Return the number of whose multiples a theta series counts: the norm over ℤ, elsewhere 1."""
+        """Return the step of the exponents of a theta series: the norm over ℤ, elsewhere 1."""
 
     def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> ThetaSeries:
         """Return numbers of elements of norms as a user sees them.
@@ -589,7 +589,7 @@ def _norm_bound(lattice: LatticeValue, n: object) -> int:
 def is_totally_definite(
     base: TypedBase[NumberT, IdealT, PrimeT, ResidueT], constants: Constants[NumberT]
 ) -> bool:
-    """Tell whether an algebra over a number field is totally definite."""
+    """Return whether an algebra over a number field is totally definite."""
     a, t, b = constants
     positive = base.is_totally_positive
     return base.is_totally_real and positive(-a - t * t / 4) and positive(-b)

@@ -117,7 +117,7 @@ class Residue(Protocol):
 
 
 class TrivialClassGroup:
-    """The group of the ideal classes of a base whose ideals all have generators as wanted."""
+    """The trivial class group of a base whose ideals are all principal in the wanted sense."""
 
     order = 1
     invariants: tuple[int, ...] = ()

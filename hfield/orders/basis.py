@@ -95,7 +95,7 @@ class AlgebraBasis:
 
     @cached_property
     def _coordinates(self) -> list[fmpz_mat]:
-        """The coordinates of a product, one after the other, as bilinear forms."""
+        """The coordinates of a product as bilinear forms."""
         size, matrix = range(self.size), self.domain.matrix
         return [matrix([[self.right[y][x, m] for y in size] for x in size]) for m in size]
 
@@ -159,7 +159,7 @@ class AlgebraBasis:
         return self.domain.integer(den), row.entries()
 
     def is_integral(self, row: Sequence[fmpq]) -> bool:
-        """Tell whether an element has an integral trace and norm."""
+        """Return whether an element has an integral trace and norm."""
         numbers = [self.trace(row), self.norm(row)]
         return bool(self.base.coordinate_rows(numbers).numer_denom()[1] == 1)
 
@@ -355,7 +355,7 @@ class AlgebraBasis:
 
     @property
     def ramified_real_places(self) -> tuple[int, ...]:
-        """The numbers of the other real places."""
+        """The indices of the real places at which the algebra ramifies."""
         return tuple(v for v in self.base.real_places if v not in self.split_places)
 
     @property

@@ -52,7 +52,7 @@ MAX_UNSPLIT = 60
 
 
 def matrix_bytes(classes: int) -> int:
-    """Return about how much memory a Brandt matrix of so many classes takes."""
+    """Return the approximate memory of a Brandt matrix with this number of classes, in bytes."""
     return ENTRY_BYTES * classes**2
 
 
@@ -175,7 +175,7 @@ def _at_level(classes: Classes, P: Prime, e: int) -> fmpz_mat:
 
 
 def _is_short(classes: Classes, P: Prime, e: int) -> bool:
-    """Tell whether it is quicker to list the ideals of norm Pᵉ than to look between all pairs of classes."""
+    """Return whether listing the ideals of norm Pᵉ is faster than comparing all pairs of classes."""
     if eichler_symbol(classes.order, P) != 1:
         return False
     base, h = classes.ambient.base, len(classes)
@@ -232,7 +232,7 @@ def by_elements(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
 
 
 def _is_listed(classes: Classes, P: Prime) -> bool:
-    """Tell whether the neighbours at a prime are known, or so few that listing them is quickest."""
+    """Return whether the neighbours at a prime are known, or so few that listing them is quickest."""
     base, h = classes.ambient.base, len(classes)
     number = base.absolute_norm(base.prime_ideal(P)) + 1
     return classes.has_rows(P) or number < 12 + h * h // 40_000 or number >= MODULUS

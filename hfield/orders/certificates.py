@@ -126,14 +126,14 @@ def of_isomorphism(
 
 
 def _proved(words: _Words, word: str, about: str, result: Verdict[Quaternion]) -> CertifiedClaim:
-    """Return that there is an element; without it the checker is not asked."""
+    """Return a proved verdict on the existence of an element; None without the element."""
     if result.element is None:
         return words.claim(word, about, "strong approximation", refusal=REFUSAL)
     return words.claim(word, about, ELEMENT, element=words.element(result.element))
 
 
 def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> CertifiedClaim:
-    """Return that there is no element; the checker is not asked where nothing shows it."""
+    """Return a refuted verdict on the existence of an element; None without evidence."""
     if found is None:
         reason = "nothing that the checker follows was found to tell them apart"
         return words.claim(word, about, ENUMERATION, "refuted", refusal=reason)
@@ -142,7 +142,7 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
 
 
 def of_unit_index(order: LatticeValue, number: int) -> CertifiedClaim:
-    """Return how many units there are modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
+    """Return the claim of the number of units modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
     ambient = order.ambient
     if ambient.base.is_polynomial:
         about = f"{text(order)}; {number}"
@@ -206,7 +206,7 @@ def of_embedding_orbits(
     center: Quaternion,
     units: Sequence[Quaternion],
 ) -> CertifiedClaim:
-    """Return how many orbits of embeddings there are under units of norm 1: those of elements and conjugates.
+    """Return the claim of the number of orbits of embeddings under units of norm 1, conjugates included.
 
     Their points lie in the domain around a centre that the units bound, for d < 0. For d > 0, where the
     elements are one of each orbit, the checker is not asked. Raises :class:`LatticeError` over another base
@@ -350,7 +350,7 @@ class _Words(Protocol):
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation | None:
-        """Return what shows that no element carries one ideal to another, if something does."""
+        """Return the evidence that no element carries one ideal to another, if there is any."""
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
         """Return what shows that definite orders of one discriminant are not isomorphic, if it is found."""
@@ -654,7 +654,7 @@ def _units(ambient: AlgebraBasis) -> dict[str, object]:
 
 
 def _class(classes: Classes, n: int) -> dict[str, object]:
-    """Return a basis in which short vectors are found quickly, and what generates the norm."""
+    """Return a reduced basis and a generator of the norm."""
     norm, integers = classes.norms[n], number_field_integers(classes.ambient.base)
     return {
         **_basis(classes.lattice(n), norm.element),

@@ -23,7 +23,7 @@ Located = tuple[int, Row]
 
 
 class ClassElements:
-    """The elements that take representatives of classes to other ideals, and to themselves: ``units``."""
+    """The elements that carry representatives of classes to other ideals, and to themselves: ``units``."""
 
     def __init__(self, classes: Classes) -> None:
         self.classes, self._ambient = classes, classes.ambient

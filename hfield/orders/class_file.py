@@ -1,4 +1,4 @@
-"""A file of classes and rows of neighbours: a run that is interrupted goes on from what is in it.
+"""A file of classes and rows of neighbours, from which an interrupted run resumes.
 
 It has JSON lines: first the order, then one line a block of rows, with the classes that are new in it. Each
 line has a digest of itself and of the order, so that damaged and edited lines, and lines of other orders, are

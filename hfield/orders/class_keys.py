@@ -43,7 +43,7 @@ class Norm:
 
 
 class ClassKeys:
-    """What the keys of right ideals of one order have in common."""
+    """The common data of the keys of right ideals of one order."""
 
     def __init__(self, order: LatticeValue) -> None:
         self.order, self.ambient = order, order.ambient
@@ -140,7 +140,7 @@ class Reduced(NamedTuple):
 
 
 class Representative(NamedTuple):
-    """A reduced basis of the lattice that represents a class, rows over a denominator, and what it has."""
+    """The representative of a class: a reduced basis, rows over a denominator, and its invariants."""
 
     rows: fmpz_mat
     den: int
@@ -217,7 +217,9 @@ class SublatticeKeys:
         return [self.element(vector) for _, vector in self._all_shortest(basis)]
 
     def _all_shortest(self, basis: Reduced) -> list[tuple[int, list[int]]]:
-        """Return the same as coordinates, with the number of the form for which they are short."""
+        """Return the shortest elements as coordinates, with the index of the form for which they are
+        short.
+        """
         least, found, domain = -1, list[tuple[int, list[int]]](), self._ambient.domain
         for number, _ in enumerate(self._forms):
             some = self.reduced(basis.coordinates, number) if number else basis

@@ -28,7 +28,7 @@ class ClassRecord(NamedTuple):
 
 
 class PackedClass(NamedTuple):
-    """A class as bytes and integers, as it is stored and sent between processes."""
+    """A class as bytes and integers, for storage and for other processes."""
 
     record: bytes
     units: int

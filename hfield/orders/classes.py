@@ -232,7 +232,7 @@ class Classes:
         return None if self.exchange_prime is None else self._exchanged[self.exchange_prime][n]
 
     def has_own_row(self, n: int, prime: Prime) -> bool:
-        """Tell whether the row of class n is computed, and not read off the row of a class before."""
+        """Return whether the row of class n is computed itself, and not derived from an earlier row."""
         other = self._exchange_of(n)
         return other is None or other >= n or prime == self.exchange_prime
 
@@ -247,7 +247,7 @@ class Classes:
         return Counter({moved[j]: times for j, times in self._rows[prime][moved[n]].items()})
 
     def restore_class(self, number: int, exchanged: int | None, found: PackedClass) -> None:
-        """Add a class that a file has, if it is not known yet. Raises ValueError where it does not follow."""
+        """Add a class of a file, if it is not known yet. Raises ValueError if it is out of sequence."""
         if number < len(self):  # it was written twice, about an interrupt
             return
         if number > len(self) or self.store.number(found.keys[0]) is not None:
@@ -261,7 +261,7 @@ class Classes:
             self._set_exchanged(number, exchanged)
 
     def restore_rows(self, prime: Prime, first: int, rows: Sequence[Mapping[int, int]]) -> None:
-        """Add the rows that follow those known. Raises ValueError where they are no rows of neighbours."""
+        """Add the rows that follow the known ones. Raises ValueError if they are not rows of neighbours."""
         found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
         if first > len(found):
             raise ValueError(f"row {first} of the prime {prime} follows row {len(found)}")
@@ -288,7 +288,7 @@ class Classes:
         return self._rows[prime]
 
     def has_rows(self, prime: Prime) -> bool:
-        """Tell whether all neighbours at a prime are known."""
+        """Return whether all neighbours at a prime are known."""
         return len(self._rows.get(prime, ())) == len(self)
 
     def neighbours_of(self, n: int, prime: Prime) -> Counter[int]:
@@ -413,6 +413,6 @@ def orbits(size: int, moves: list[list[int]]) -> list[int]:
 
 
 def renumbered(kinds: list[int]) -> list[int]:
-    """Return numbers in place of others, from 0 in the order in which they come."""
+    """Renumber values from 0 in order of first occurrence."""
     numbers: dict[int, int] = {}
     return [numbers.setdefault(kind, len(numbers)) for kind in kinds]

@@ -121,7 +121,7 @@ def _conjugating(order: LatticeValue, sources: fmpz_mat, targets: fmpz_mat) -> l
 
 
 def by_two_images(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Return the same by the images of two elements; the one way over any base."""
+    """Return a conjugation by the images of two elements, over any base."""
     ambient = first.ambient
     one, other = _Ternary(first), _Ternary(second)
     a, b = one.two_generators()

@@ -485,7 +485,7 @@ class PolynomialDomain:
         return self._polynomial([rng.randrange(q) for _ in range(modulus.degree())])
 
     def few_residues(self, p: fq_default_poly) -> list[fq_default_poly]:
-        """Return 0, 1 and one more, where there are so many."""
+        """Return 0, 1 and one more residue, if there is one."""
         some = [self.zero, self.one]
         if p.degree() > 1:
             return [*some, self.field.gen.num]

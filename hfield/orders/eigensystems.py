@@ -94,7 +94,7 @@ class Module(ABC):
         return next(P for P, Q in self.base.primes_above(p) if prime == Q)
 
     def absolute_norm(self, prime: Prime) -> int:
-        """Return how many residues there are modulo a prime."""
+        """Return the number of residues modulo a prime."""
         return self.base.absolute_norm(self.base.prime_ideal(prime))
 
     def good_primes(self) -> Iterator[Prime]:
@@ -130,7 +130,7 @@ class Module(ABC):
 
     @abstractmethod
     def suits(self, p: int) -> bool:
-        """Tell whether the module has a reduction modulo p."""
+        """Return whether the module has a reduction modulo p."""
 
     @abstractmethod
     def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
@@ -159,7 +159,9 @@ class Module(ABC):
 
     @cached_property
     def _lower(self) -> list[tuple[Module, int, int]]:
-        """Modules of lower levels, how often their newforms come here, and how they count in the new part."""
+        """The modules of lower levels, the multiplicities of their newforms here, and their signs in the
+        new part.
+        """
         found = []
         for exponents in product(*(range(e + 1) for _, e in self.level)):
             drops = [e - k for (_, e), k in zip(self.level, exponents, strict=True)]
@@ -225,7 +227,7 @@ class Module(ABC):
         return self._new[T, p]
 
     def _lower_polynomial(self, T: Combination, p: int) -> nmod_poly:
-        """Return a polynomial whose roots are all eigenvalues that are not those of newforms."""
+        """Return a polynomial with all eigenvalues of oldforms as roots."""
         factors = (module._new_polynomial(T, p) for module, _, _ in self._lower)
         return math.prod(factors, start=self.norm_polynomial(T, p))
 
@@ -311,7 +313,7 @@ class Module(ABC):
 
 
 class Traces:
-    """A key that orders Galois orbits by degree, then by traces: no two have the same traces."""
+    """A sort key of Galois orbits: degree, then traces, which differ between orbits."""
 
     def __init__(self, form: Newform) -> None:
         self.form = form
@@ -332,7 +334,7 @@ def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
 
 
 class WithForms(ABC):
-    """What class sets of Eichler orders say of cusp forms of parallel weight and trivial character.
+    """Methods of class sets of Eichler orders for cusp forms of parallel weight and trivial character.
 
     Those of the level of the order that are new at the primes of the algebra. The weight is an even number.
     All raises :class:`LatticeError` for other orders and weights.

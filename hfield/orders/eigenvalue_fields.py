@@ -134,6 +134,6 @@ def _key(polynomial: fmpz_poly) -> list[int]:
 
 
 def _first_odd(polynomial: fmpz_poly) -> Iterator[int]:
-    """Yield the place of the first coefficient not 0 among those that x ↦ −x changes, if there is one."""
+    """Yield the index of the first nonzero coefficient that x ↦ −x negates, if there is one."""
     places = range(polynomial.degree() - 1, -1, -2)
     yield from [k for k in places if polynomial[k]][:1]

@@ -44,7 +44,7 @@ MAX_IDEALS_TRIED = 10_000
 
 
 class GivenPrime(NamedTuple):
-    """A prime of the base: as the base has it, as an ideal, and the number that was given, if one was."""
+    """A prime of the base: as an object of the base, as an ideal, and as the given number, if any."""
 
     prime: Prime
     ideal: BaseIdeal

@@ -43,7 +43,7 @@ MAX_RESIDUES = 10_000
 
 
 def elliptic_points(order: LatticeValue) -> dict[int, int]:
-    """Return how many elliptic points there are of each order, for an Eichler order.
+    """Return the number of elliptic points of each order, for an Eichler order.
 
     The algebra is a division algebra over a totally real field and splits at one real place.
     """
@@ -93,7 +93,7 @@ class _Rotations:
         return int(found)
 
     def _contains(self, conductor: dict[PrimeIdeal, int]) -> bool:
-        """Tell whether the root of unity lies in the order of a conductor."""
+        """Return whether the root of unity lies in the order of a conductor."""
         return all(
             k <= (self.primes[P].conductor if P in self.primes else 0) for P, k in conductor.items()
         )
@@ -174,12 +174,12 @@ class _LocalField:
             yield sum((r * step for r, step in pairs), self.base.field.zero)
 
     def _is_root(self, x: FieldElement, d: FieldElement, count: int) -> bool:
-        """Tell whether x² ≡ d modulo P^count."""
+        """Return whether x² ≡ d modulo P^count."""
         rest = x * x - d
         return not rest or self.P.valuation(rest) >= count
 
     def _agree(self, x: FieldElement, y: FieldElement, count: int) -> bool:
-        """Tell whether x ≡ y modulo P^count."""
+        """Return whether x ≡ y modulo P^count."""
         return x == y or self.P.valuation(x - y) >= count
 
 

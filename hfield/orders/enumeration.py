@@ -109,7 +109,7 @@ def vectors_of_length(gram: Gram, length: int, expected: str | None = None) -> I
 def _heads(
     minors: list[int], forms: list[list[int]], i: int, left: int, x: list[int], zero: bool
 ) -> Iterator[tuple[bool, int]]:
-    """Choose all coordinates but the first, in x; yield whether all are zero, and what is left.
+    """Choose all coordinates of x but the first; yield whether all are zero, and the rest of the bound.
 
     ``left`` is minors[i] times what is left of the bound, before coordinate i − 1 is chosen. While all chosen
     ones are zero, only the half line from 0 on is run through.

@@ -98,7 +98,7 @@ class _ForeignTextReader:
         self._name(found["name"], found["value"], letters)
 
     def _without_definitions(self, body: SourceSpan) -> SourceSpan:
-        """Read Magma's ``… where A is … where K is …``, and return what stands before."""
+        """Read Magma's ``… where A is … where K is …``, and return the text before it."""
         places = list(_WHERE.finditer(body.text))
         if not places:
             return body
@@ -109,7 +109,7 @@ class _ForeignTextReader:
         return body[: places[0].start()].strip()
 
     def _name(self, name: SourceSpan, value: SourceSpan, letters: Sequence[SourceSpan]) -> None:
-        """Keep a definition; of a field or an algebra check that it is that of the algebra here."""
+        """Store a definition; check that a field or an algebra is that of the given algebra."""
         field = value.match(_FIELD)
         if field is not None:
             self.fields.add(name.text)
@@ -367,7 +367,7 @@ class _ForeignTextReader:
         return self._orders.get(part.text)
 
     def _order(self, part: SourceSpan) -> Order:
-        """Read an order, once where it comes several times."""
+        """Read an order, each only once."""
         kept = self._kept_order(part)
         if kept is None:
             found = self.value(self.definitions.get(part.text, part))
@@ -385,7 +385,7 @@ class _ForeignTextReader:
         return self._made(part, lambda: Lattice.spanned(self.algebra, spanning))
 
     def _made(self, part: SourceSpan, make: Callable[[], T]) -> T:
-        """Return what is made of elements that were read; its errors name the part."""
+        """Build an object of elements that were read; errors name the part of the text."""
         try:
             return make()
         except LatticeError as error:
@@ -463,7 +463,7 @@ class _ForeignTextReader:
 
 
 def _entries(line: SourceSpan) -> list[SourceSpan]:
-    """Part a line at commas, or where there are none at blanks."""
+    """Split a line at commas, or at blanks if there are none."""
     if "," in line.text:
         return line.split(",")
     return [line[m.start() : m.end()] for m in re.finditer(r"\S+", line.text)]

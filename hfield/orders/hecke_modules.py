@@ -48,7 +48,9 @@ class ClassFunctions(Module):
 
     @cached_property
     def cusp_dimension(self) -> int:
-        """The dimension of the cusp forms: functions on the points but for those of the norm alone."""
+        """The dimension of the cusp forms: functions on the points modulo those that factor through the
+        norm.
+        """
         return len(self._of) - len(set(self.narrow))
 
     @cached_property

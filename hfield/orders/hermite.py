@@ -56,7 +56,7 @@ def first_rows(matrix: fmpz_mat, number: int) -> fmpz_mat:
 
 @lru_cache(maxsize=256)
 def _injection(rows: int, start: int, number: int) -> fmpz_mat:
-    """Return the matrix that puts so many rows, from ``start`` on, among rows of zeros."""
+    """Return the matrix that embeds rows at ``start`` among rows of zeros."""
     return fmpz_mat([[int(m == start + n) for n in range(number)] for m in range(rows)])
 
 
@@ -110,7 +110,7 @@ def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
 
 
 def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bool:
-    """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
+    """Return whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
     rest = []
     for x in row:
         q, r = divmod(x * den, row_den) if x else (x, x)

@@ -27,7 +27,7 @@ def product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> L
 def modulo_norm(
     first: LatticeValue, second: LatticeValue, order: LatticeValue
 ) -> LatticeValue | None:
-    """Return the same product by linear algebra, or None where this way does not do."""
+    """Return the product by linear algebra modulo the norm, or None if the method does not apply."""
     r = first.ambient
     if not r.base.is_rational:
         return None

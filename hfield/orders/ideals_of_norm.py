@@ -63,7 +63,7 @@ def two_sided_prime(order: LatticeValue, prime: Prime) -> LatticeValue:
 
 
 def is_maximal_or_eichler(order: LatticeValue, prime: Prime, e: int) -> bool:
-    """Tell whether an order is maximal or Eichler at a prime, where Pᵉ is the part of its discriminant."""
+    """Return whether an order is maximal or Eichler at a prime, where Pᵉ is the part of its discriminant."""
     return e == 1 or (prime not in order.ambient.ramified and eichler_symbol(order, prime) == 1)
 
 
@@ -71,7 +71,7 @@ def is_maximal_or_eichler(order: LatticeValue, prime: Prime, e: int) -> bool:
 
 
 class IdealsOfPrimeNorm:
-    """The right ideals of norm P of an order: what generates each of them with P·O.
+    """The right ideals of norm P of an order, each by a generator modulo P·O.
 
     Raises :class:`TooLargeError` where they are more than 10⁵.
     """
@@ -128,7 +128,7 @@ class IdealsOfPrimeNorm:
             yield _rows(x, x * across)
 
     def _in_radical(self, basis: list[fmpq_mat], below: LatticeValue) -> Iterator[fmpq_mat]:
-        """Yield those x·O + P·O with x in the radical, of which a basis modulo P·O is given."""
+        """Yield the ideals x·O + P·O with x in the radical, whose basis modulo P·O is given."""
         at, ambient, order = self.at, self.at.ambient, self.at.order
         if at.norm ** (len(basis) - 1) > MAX_LISTED_IDEALS:
             raise TooLargeError(f"there are too many candidates for ideals of norm {at.prime}")

@@ -79,7 +79,7 @@ class IndefiniteClassSet(Hinted):
 
     @property
     def type_number(self) -> int:
-        """How many isomorphism classes of left orders there are, for Eichler orders: others raise.
+        """The number of isomorphism classes of left orders, for Eichler orders; others raise.
 
         They are the classes modulo squares and the norms of two-sided ideals (Voight, 28.5).
         """

@@ -31,7 +31,7 @@ def eichler_symbol(order: LatticeValue, prime: Prime) -> int | None:
 
 
 def is_eichler(order: LatticeValue) -> bool:
-    """Tell whether an order is an intersection of two maximal orders (Voight, section 24.3)."""
+    """Return whether an order is an intersection of two maximal orders (Voight, section 24.3)."""
     ramified = order.ambient.ramified
     return all(
         P not in ramified and eichler_symbol(order, P) == 1
@@ -40,7 +40,7 @@ def is_eichler(order: LatticeValue) -> bool:
 
 
 def has_all_unit_norms(order: LatticeValue) -> bool:
-    """Tell whether the local units of an order are known to have all local units as norms.
+    """Return whether the local units of an order are known to have all local units as norms.
 
     They have where the Eichler symbols are 1 and −1.
     """
@@ -61,7 +61,7 @@ def conductor(order: LatticeValue) -> BaseIdeal:
 
 
 def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Prime], LatticeValue]) -> bool:
-    """Tell whether every order that contains this one is Gorenstein.
+    """Return whether every order that contains this one is Gorenstein.
 
     With the Eichler symbols 1 and −1 those are Bass that are Gorenstein; with 0 the left order of the
     radical, which ``larger_at`` returns, is the only minimal overorder of a Gorenstein order.

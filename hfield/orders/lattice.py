@@ -1,4 +1,4 @@
-"""Lattices, orders, ideals and class sets as a user holds them: values, with what one asks of them.
+"""Lattices, orders, ideals and class sets: the public classes.
 
 They stand in one module because they make one another: a lattice its orders, an order its ideals and its
 classes, an ideal its order. What takes an algorithm is a function on values in a module below.
@@ -129,7 +129,7 @@ class Lattice(Hinted, PrintedBySympy):
 
     @property
     def _arguments(self) -> tuple[object, ...]:
-        """What the object is made of, without what it has computed."""
+        """The constructor arguments, without cached results."""
         return (self.value,)
 
     @classmethod
@@ -183,7 +183,7 @@ class Lattice(Hinted, PrintedBySympy):
         return hash(self.value)
 
     def __le__(self, other: Lattice) -> bool:
-        """Tell whether every element of this lattice lies in the other."""
+        """Return whether every element of this lattice lies in the other."""
         return lattice_values.includes(self._same(other, "compare").value, self.value)
 
     def __ge__(self, other: Lattice) -> bool:
@@ -250,7 +250,7 @@ class Lattice(Hinted, PrintedBySympy):
         return self._result_with(second, lattice_values.meet(self.value, second.value))
 
     def _result_with(self, other: Lattice, value: LatticeValue) -> Lattice:
-        """Return the sum or the intersection with another lattice, of which the value is given."""
+        """Return the sum or the intersection with another lattice, from its computed value."""
         return Lattice(value)
 
     def __mul__(self, other: object) -> Lattice:
@@ -317,7 +317,7 @@ class Lattice(Hinted, PrintedBySympy):
         return Order(lattice_values.order_of(self.value, side))
 
     def is_invertible(self) -> bool:
-        """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
+        """Return whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
         return lattice_values.is_locally_principal(self.value, self.left_order().value)
 
     def inverse(self) -> Lattice:
@@ -327,7 +327,7 @@ class Lattice(Hinted, PrintedBySympy):
         return Lattice(lattice_values.inverse(self.value))
 
     def is_integral(self) -> bool:
-        """Tell whether products of elements of the lattice lie in it."""
+        """Return whether products of elements of the lattice lie in it."""
         return lattice_values.includes(self.value, lattice_values.product(self.value, self.value))
 
     # --- the norm --------------------------------------------------------------------------------
@@ -408,7 +408,7 @@ class Lattice(Hinted, PrintedBySympy):
 
 
 class ExplainedBool(Verdict[None]):
-    """A verdict that is written True or False, and equals others with the same value."""
+    """A verdict that prints as True or False and compares by value."""
 
     def _key(self) -> tuple[object, ...]:
         return (self.value,)
@@ -480,7 +480,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     @property
     def evidence(self) -> dict[str, object]:
-        """What a program needs to check the order: its rows, closed under products, and its discriminant.
+        """The evidence for the order: its rows, closed under products, and its discriminant.
 
         Rows are those of :attr:`hnf`; over ℤ_K discriminants are texts of ideals.
         """
@@ -528,11 +528,13 @@ class Order(WithStableClasses, Certified, Lattice):
         return base.valuation(invariants.level(self.value), base.prime(prime))
 
     def is_definite(self) -> bool:
-        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
+        """Return whether the algebra is totally definite: units modulo those of the field are finitely
+        many.
+        """
         return bool(self.value.ambient.definite)
 
     def is_maximal(self) -> ExplainedBool:
-        """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
+        """Return whether no larger order contains this one, with a ``reason``: its discriminant decides."""
         level = self.level
         whole = f"its discriminant {self.discriminant()} is that of the algebra"
         if level == 1:
@@ -540,7 +542,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return ExplainedBool(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
 
     def is_eichler(self) -> bool:
-        """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
+        """Return whether this is an intersection of two maximal orders (Voight, section 24.3)."""
         return invariants.is_eichler(self.value)
 
     def eichler_symbol(self, prime: object) -> int | None:
@@ -555,15 +557,15 @@ class Order(WithStableClasses, Certified, Lattice):
         return self.value.ambient.base.shown_index(invariants.conductor(self.value))
 
     def is_gorenstein(self) -> bool:
-        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        """Return whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
         return bool(self.conductor() == 1)
 
     def is_bass(self) -> bool:
-        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
+        """Return whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
         return invariants.is_bass(self.value, lambda O, P: OrderAtPrime(O, P).larger)
 
     def is_hereditary(self) -> bool:
-        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
+        """Return whether all ideals are invertible: whether no square divides the discriminant."""
         factors = self.value.ambient.base.factorisation(lattice_values.discriminant(self.value))
         return all(e == 1 for _, e in factors)
 
@@ -660,7 +662,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return isomorphism.isomorphism(self.value, self._order_like(other).value)
 
     def is_isomorphic(self, other: Lattice) -> bool:
-        """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
+        """Return whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
         return bool(self.isomorphism(other))
 
     def _order_like(self, other: object) -> Order:
@@ -701,7 +703,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return units.unit_index(self.value)
 
     def unit_count(self) -> int:
-        """Return how many units there are, at most 24. Raises as :meth:`units` does.
+        """Return the number of units, at most 24. Raises as :meth:`units` does.
 
         Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
         """
@@ -1051,7 +1053,7 @@ class Ideal(Certified, Lattice):
 
     @classmethod
     def of(cls, lattice: Lattice, side: str, order: Order | None = None) -> Self:
-        """Return a lattice as an ideal of its left or right order, which may be known."""
+        """Return a lattice as an ideal of its left or right order, which may be given."""
         return cls(lattice.value, side, order)
 
     @classmethod
@@ -1097,15 +1099,15 @@ class Ideal(Certified, Lattice):
         return self.order if known else super().right_order()
 
     def is_invertible(self) -> bool:
-        """Tell whether the ideal is locally principal."""
+        """Return whether the ideal is locally principal."""
         return lattice_values.is_locally_principal(self.value, self.order.value)
 
     def is_integral(self) -> bool:
-        """Tell whether the ideal lies in its order."""
+        """Return whether the ideal lies in its order."""
         return self <= self.order
 
     def is_two_sided(self) -> bool:
-        """Tell whether the left and the right order are the same."""
+        """Return whether the left and the right order are the same."""
         return self.side == "two-sided" or self.left_order() == self.right_order()
 
     # --- arithmetic ------------------------------------------------------------------------------
@@ -1220,12 +1222,12 @@ class Ideal(Certified, Lattice):
 
     @cached_property
     def claim(self) -> CertifiedClaim:
-        """What there is to certify, as a statement with its evidence."""
+        """The claim to certify: a statement with its evidence."""
         return certificates.of_ideal(self.value, self.side, self.order.value)
 
     @property
     def evidence(self) -> dict[str, object]:
-        """What a program needs to check the ideal: its rows, those of its order, and its norm."""
+        """The evidence for the ideal: its rows, those of its order, and its norm."""
         return {
             "kind": "ideal",
             "algebra": str(self.algebra),
@@ -1256,7 +1258,7 @@ class Ideal(Certified, Lattice):
         return equivalence.equivalence(self.value, second.value, self.order.value, side)
 
     def is_equivalent(self, other: Ideal) -> bool:
-        """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
+        """Return whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
     def is_principal(self) -> Verdict[Quaternion]:
@@ -1453,7 +1455,7 @@ def _expect_rational(lattice: Lattice, what: str) -> None:
 
 
 def _is_scalar(x: object) -> bool:
-    """Tell whether a lattice is multiplied by x as by a number, or an ideal of the field."""
+    """Return whether x acts on a lattice as a scalar or as an ideal of the field."""
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
 
 
@@ -1532,7 +1534,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @property
     def unit_counts(self) -> list[int]:
-        """How many units the left order of each class has.
+        """The number of units of the left order of each class.
 
         Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
 
@@ -1555,7 +1557,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @property
     def type_number(self) -> int:
-        """How many isomorphism classes of orders there are in the genus."""
+        """The number of isomorphism classes of orders in the genus."""
         return len(set(self._classes.types))
 
     def labels(self) -> list[str]:
@@ -1730,7 +1732,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @cached_property
     def claim(self) -> CertifiedClaim:
-        """How many classes there are, as a statement with its evidence."""
+        """The claim of the class number, with its evidence."""
         return certificates.of_class_set(self._classes)
 
     def claim_of_newforms(self, weight: int = 2, norm: int = 20) -> CertifiedClaim:
@@ -1748,7 +1750,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @property
     def evidence(self) -> dict[str, object]:
-        """What a program needs to check the class set: representatives, units, and the mass.
+        """The evidence for the class set: representatives, units, and the mass.
 
         Units are counted as :attr:`unit_counts` counts them over ℤ, and as :attr:`units` over other bases.
         """
@@ -1814,7 +1816,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return classes
 
     def rational_newforms(self, *, executor: Executor | None = None) -> list[RationalNewform]:
-        """Return the newforms of weight 2 with rational eigenvalues, all that there are, at large level.
+        """Return all newforms of weight 2 with rational eigenvalues, also at large level.
 
         Each is a function on the classes, ``f.values``, with ``f.signs`` of Atkin and Lehner; ``f[P]`` takes
         N(P) + 1 look-ups. Time is quadratic in the number of classes and memory linear: 8 000 classes take

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def is_square_modulo(d: int, p: int, e: int) -> bool:
-    """Tell whether d is a square modulo pᵉ."""
+    """Return whether d is a square modulo pᵉ."""
     v = 0
     while v < e and d % p == 0:
         d, v = d // p, v + 1
@@ -16,5 +16,7 @@ def is_square_modulo(d: int, p: int, e: int) -> bool:
 
 
 def is_maximal_at(d: int, p: int) -> bool:
-    """Tell whether the quadratic order of discriminant d is maximal at p: p does not divide its conductor."""
+    """Return whether the quadratic order of discriminant d is maximal at p: p does not divide its
+    conductor.
+    """
     return d % (p * p) != 0 or d // (p * p) % 4 > 1

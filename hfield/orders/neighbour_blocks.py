@@ -1,4 +1,4 @@
-"""Neighbours of many classes at a time, in blocks that any executor computes.
+"""Neighbours of many classes, in blocks for any executor.
 
 A block is computed in two steps: keys of all neighbours of its classes, then the representatives of the
 classes of those keys that are not known yet. Both are lists of independent pieces. New classes get their
@@ -31,14 +31,14 @@ ROWS_A_BLOCK = ROWS_A_PIECE * PIECES_A_BLOCK
 
 
 class Neighbour(NamedTuple):
-    """A neighbour as it is sent between processes: a key of it, and coordinates of a reduced basis."""
+    """A neighbour in the form sent between processes: its key, and coordinates of a reduced basis."""
 
     key: bytes
     coordinates: bytes
 
 
 class Block(NamedTuple):
-    """The rows of the classes from a first to before another, whose keys are being computed."""
+    """A block of rows of consecutive classes whose keys are being computed."""
 
     first: int
     stop: int
@@ -133,7 +133,7 @@ class BlockSearch:
         self.classes, self.prime, self.executor, self.rows = classes, prime, executor, rows
 
     def blocks(self, wanted: Callable[[], bool]) -> Iterator[int]:
-        """Add rows while they are wanted; yield, after each block, how many are known.
+        """Add rows while they are wanted; yield the number of known rows after each block.
 
         New classes are added as they are found; their rows follow.
         """
@@ -178,7 +178,7 @@ class BlockSearch:
         return Block(first, stop, futures)
 
     def _unknown(self, rows: Mapping[int, list[Neighbour]]) -> dict[bytes, tuple[bytes, bytes]]:
-        """Return the first neighbour with each key of no known class, and the class that it lies in."""
+        """Return the first neighbour with each new key, and the class whose neighbour it is."""
         found: dict[bytes, tuple[bytes, bytes]] = {}
         store = self.classes.store
         for n, row in rows.items():

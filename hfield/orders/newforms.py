@@ -38,7 +38,7 @@ PRIMES_SHOWN = 5
 
 
 class Newform:
-    """A Galois orbit of newforms; what it has is that of any one of them.
+    """A Galois orbit of newforms; its attributes are those of one form.
 
     >>> from hfield import QuaternionAlgebra
     >>> f, g = QuaternionAlgebra(37).maximal_order().class_set().newforms()
@@ -62,7 +62,7 @@ class Newform:
 
     @property
     def degree(self) -> int:
-        """How many newforms there are in the orbit: the degree of the field."""
+        """The number of newforms in the orbit: the degree of the field."""
         return int(self.polynomial.degree())
 
     @property

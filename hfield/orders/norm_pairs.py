@@ -133,7 +133,7 @@ def _elements(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[i
 
 
 def _in_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
-    """Return the same for a left ideal of norm N; norms are multiples of N."""
+    """Return such a pair for a left ideal of norm N; norms are multiples of N."""
     start = _SplitIdeal.of(ideal, f, norm)
     if start is None:
         return None
@@ -300,7 +300,7 @@ def _small_pairs() -> Iterator[tuple[int, int]]:
 def _by_sorting(
     ideal: LatticeValue, total: int, samples: Sequence[int], seed: int
 ) -> tuple[Pair | None, bool]:
-    """Return such a pair among so many short elements, or all of them, for a total of at most 50 bits.
+    """Return such a pair among short elements, all of them for a total of at most 50 bits.
 
     With it whether all were tried.
     """

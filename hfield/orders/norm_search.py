@@ -249,7 +249,7 @@ class _Plane:
 
 
 def has_small_planes(lattice: LatticeValue) -> bool:
-    """Tell whether there are planes with forms of small discriminant, as in any lattice of small volume."""
+    """Return whether there are planes with forms of small discriminant, as in any lattice of small volume."""
     return bool(_planes(lattice))
 
 

@@ -348,7 +348,7 @@ def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
 
 
 def small_lines(domain: EuclideanDomain, size: int) -> Iterator[Line]:
-    """Yield a coordinate with small values for the others; the values grow without end."""
+    """Yield lines: one free coordinate, with small values for the others, which grow without end."""
     for largest in count(1):
         smaller = set(domain.small(largest - 1))
         for rest in product(list(domain.small(largest)), repeat=size - 1):
@@ -359,5 +359,5 @@ def small_lines(domain: EuclideanDomain, size: int) -> Iterator[Line]:
 
 @lru_cache(maxsize=64)
 def order_at_prime(order: LatticeValue, prime: Prime) -> OrderAtPrime:
-    """Return an order at a prime, the same as before where it was called lately."""
+    """Return an order at a prime, from a cache."""
     return OrderAtPrime(order, prime)

@@ -250,7 +250,7 @@ def fractions(
 
 
 def _subtract(row: Row, other: Row, factor: fq_default_poly, start: int) -> None:
-    """Take a multiple of another row off, from a column on."""
+    """Subtract a multiple of another row, from a column on."""
     if factor:
         for k in range(start, len(row)):
             if other[k]:
@@ -258,7 +258,7 @@ def _subtract(row: Row, other: Row, factor: fq_default_poly, start: int) -> None
 
 
 def _eliminate(rows: list[Row], top: int, k: int) -> bool:
-    """Make column k zero below row ``top`` by Euclid's algorithm; tell whether there is a pivot."""
+    """Clear column k below row ``top`` by Euclid's algorithm; return whether there is a pivot."""
     while True:
         some = [m for m in range(top, len(rows)) if rows[m][k]]
         if not some:
@@ -285,7 +285,7 @@ def _monic(row: Row, k: int) -> Row:
 def _eliminated(
     rows: list[Row], size: int, one: fq_default_poly
 ) -> tuple[fq_default_poly, list[Row]]:
-    """Make the first columns of rows d times the identity, without fractions (Bareiss); return d too."""
+    """Reduce the first columns of rows to d times the identity, without fractions (Bareiss); return d too."""
     before = one
     for k in range(size):
         pivot = next((m for m in range(k, size) if rows[m][k]), None)

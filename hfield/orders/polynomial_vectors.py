@@ -55,7 +55,7 @@ class PolynomialVectors:
     def _relation(
         self, form: list[list[fq_default_poly]]
     ) -> tuple[int, list[tuple[int, fq_default]]] | None:
-        """Return a vector whose leading term is a combination of those of others, which are not longer."""
+        """Return a vector whose leading term is a combination of those of vectors that are not longer."""
         degrees = [row[k].degree() for k, row in enumerate(form)]
         for parity in (0, 1):
             some = sorted(
@@ -178,7 +178,7 @@ class PolynomialVectors:
             )
 
     def _is_positive(self, x: fq_default_poly) -> bool:
-        """Tell x from −x, where they differ."""
+        """Return whether x is the chosen one of x and −x."""
         c = x.leading_coefficient()
         label = self._field.label
         return bool(label(c) <= label(-c))

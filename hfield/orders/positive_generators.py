@@ -65,7 +65,9 @@ def totally_positive_generator(ideal: FractionalIdeal) -> FieldElement | None:
 
 
 class NarrowClasses:
-    """Ideals as products ν·a with ν totally positive, a one of as many ideals as there are narrow classes."""
+    """Write ideals as products ν·a with ν totally positive and a in a set of representatives of narrow
+    classes.
+    """
 
     def __init__(self, ring: NumberField) -> None:
         self.group = ring.narrow_class_group()

@@ -144,7 +144,7 @@ SMALL_PRIMES = math.prod(p for p in primes(200) if p >= 17)
 
 
 def likely(m: int) -> bool:
-    """Tell whether m is a probable prime; most composite numbers are sorted out by their small factors.
+    """Return whether m is a probable prime; trial division excludes most composite numbers.
 
     No proof is needed: what is represented is an element, and its norm is known.
     """

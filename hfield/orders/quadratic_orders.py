@@ -95,7 +95,7 @@ class Embeddings(Verdict["Quaternion"]):
 
     @cached_property
     def representatives(self) -> tuple[Quaternion, ...]:
-        """One image of each orbit under conjugation by the units, in indefinite algebras by those of norm 1.
+        """One image of each orbit under conjugation by units, of norm 1 in indefinite algebras.
 
         Raises :class:`TooLargeError` for a very large d.
         """
@@ -181,7 +181,7 @@ class Embeddings(Verdict["Quaternion"]):
 
     @cached_property
     def claim(self) -> CertifiedClaim:
-        """Whether there is an embedding, as a statement with its evidence.
+        """The claim that there is an embedding, or none, with its evidence.
 
         Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has none, and no prime is known
         at which it has none.
@@ -191,7 +191,7 @@ class Embeddings(Verdict["Quaternion"]):
         )
 
     def claim_of_orbits(self) -> CertifiedClaim:
-        """Return how many orbits there are, with all of them, as a statement with its evidence.
+        """Return the number of orbits, with all of them, as a statement with its evidence.
 
         It has a ``certificate`` for Eichler orders over ℤ and d < 0; without embeddings it is
         :attr:`claim`. Raises :class:`LatticeError` in a definite algebra and over ℤ_K.
@@ -260,7 +260,7 @@ def _of_trace_zero(order: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
 
 
 def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:
-    """Tell whether only integers of the base take a vector of a lattice into the lattice."""
+    """Return whether only integers of the base take a vector of a lattice into the lattice."""
     multiples = hermite.stacked(vector, *(vector * m for m in multiplications))
     return bool(hermite.volume(multiples.transpose().hnf()) == 1)
 

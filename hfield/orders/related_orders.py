@@ -68,7 +68,9 @@ def in_steps(
 
 
 def _digits(order: LatticeValue, prime: Prime, dimension: int) -> list[fmpq_mat]:
-    """Return residues modulo a prime as matrices. Raises :class:`TooLargeError` for too many lines."""
+    """Return residues modulo a prime as matrices. Raises :class:`TooLargeError` if there are too many
+    lines.
+    """
     base = order.ambient.base
     q = base.absolute_norm(base.prime_ideal(prime))
     if sum(q**n for n in range(dimension)) > MAX_CANDIDATES:
@@ -150,7 +152,7 @@ def gorenstein_closure(order: LatticeValue) -> LatticeValue:
 
 
 def _without_number(at: OrderAtPrime, y: fmpq_mat, m: int) -> fmpq_mat:
-    """Return y − a in f·G at P, where y is in R + f·G and f = Pᵐ there: N(y − a) ∈ P²ᵐ tells a."""
+    """Return y − a in f·G at P, for y in R + f·G and f = Pᵐ at P; N(y − a) ∈ P²ᵐ determines a."""
     ambient, base, place = at.ambient, at.base, at.place
     one = ambient.one
     if at.p > 2:

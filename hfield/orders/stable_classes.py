@@ -120,7 +120,7 @@ class WithStableClasses:
         """The stable classes, by local norms."""
 
     def stable_class_number(self) -> int:
-        """Return how many right ideal classes there are up to I ⊕ O ≅ J ⊕ O. Raises :class:`IndefiniteError`.
+        """Return the number of right ideal classes up to I ⊕ O ≅ J ⊕ O. Raises :class:`IndefiniteError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order()
@@ -134,7 +134,7 @@ class WithStableClasses:
         return self._stable.number
 
     def is_hermite(self) -> bool:
-        """Tell whether each right ideal with I ⊕ O ≅ O ⊕ O is principal: whether stably free is free.
+        """Return whether each right ideal with I ⊕ O ≅ O ⊕ O is principal: whether stably free is free.
 
         All stable classes have the same mass, and in a Hermite order that of O is one class. Raises likewise.
         """
@@ -162,5 +162,5 @@ class ByStableClasses:
         return [numbers.setdefault(kind, len(numbers)) for kind in kinds]
 
     def has_cancellation(self) -> bool:
-        """Tell whether I ⊕ O ≅ J ⊕ O only where I ≅ J, for all right ideals."""
+        """Return whether I ⊕ O ≅ J ⊕ O only where I ≅ J, for all right ideals."""
         return len(self) == self.order.stable_class_number()

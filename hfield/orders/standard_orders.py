@@ -180,7 +180,7 @@ def _expect_fitting(q: int, p: int) -> None:
 
 
 def _halves(i: Quaternion, j: Quaternion, q: int, p: int) -> list[Quaternion]:
-    """Return what tells one class of maximal orders with i and j, of squares −q and −p, from the other.
+    """Return the invariant that distinguishes the two classes of maximal orders with i² = −q and j² = −p.
 
     For q = 1 there is one class; it contains (1 + √−p)/2 for another root of −p.
     """

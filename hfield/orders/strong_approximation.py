@@ -227,7 +227,7 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
 
 
 def close(start: Sequence[int], lattice: fmpz_mat, form: fmpz_mat) -> Iterator[tuple[int, int]]:
-    """Yield start + x for the x in a plane lattice, spanned by rows, those short in a form first."""
+    """Yield start + x for x in a plane lattice, spanned by rows, in order of a quadratic form."""
     _, steps = (lattice * form * lattice.transpose()).lll(transform=True, rep="gram")
     (a, b), (u, v) = ([int(x) for x in row] for row in (steps * lattice).tolist())
     x, y = (int(c) for c in start)

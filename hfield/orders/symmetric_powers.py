@@ -42,7 +42,7 @@ def embeddings(ambient: AlgebraBasis, p: int) -> list[list[int]]:
 
 
 def splits_completely(ambient: AlgebraBasis, p: int) -> bool:
-    """Tell whether a prime number, larger than all that is in question, splits completely in the field."""
+    """Return whether a prime number, larger than all exceptions, splits completely in the field."""
     if ambient.degree == 1:
         return True
     coefficients = number_field_integers(ambient.base).field.modulus_over_rationals()

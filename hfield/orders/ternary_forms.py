@@ -110,7 +110,7 @@ class TernaryForm(Hinted):
         return (2 * a, t, s), (t, 2 * b, r), (s, r, 2 * c)
 
     def is_definite(self) -> bool:
-        """Tell whether the field is totally real and the form has no zero but 0 at any real place."""
+        """Return whether the field is totally real and the form has no zero but 0 at any real place."""
         if self.ring != QQ:
             return bool(self.order().is_definite())
         a, b, *_, t = map(fraction, self.coefficients)
@@ -257,7 +257,7 @@ class TernaryForm(Hinted):
         )
 
     def is_equivalent(self, other: TernaryForm) -> bool:
-        """Tell whether two forms are equivalent. Raises as :meth:`equivalence` does."""
+        """Return whether two forms are equivalent. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
     def genus(self) -> tuple[TernaryForm, ...]:
@@ -309,7 +309,7 @@ class TernaryForm(Hinted):
         return TernaryForm(self.ring, found, self._algebras)
 
     def automorphism_count(self) -> int:
-        """Return how many matrices of integers leave the form as it is. Raises as :meth:`reduced` does."""
+        """Return the number of integral automorphisms of the form. Raises as :meth:`reduced` does."""
         first, *_ = found = [form for _, form in self._reduced_bases()]
         return 2 * found.count(first)
 

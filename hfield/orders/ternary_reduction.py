@@ -37,7 +37,7 @@ def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
 
 
 def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[int, ...]]:
-    """Take v and u off in the one way that leaves coefficients in (−1/2, 1/2]."""
+    """Subtract the multiples of v and u that leave coefficients in (−1/2, 1/2]."""
     vv, vw, _ = _modulo(gram, u, v, w)
     w = _sum((1, w), (-_nearest(vw, vv), v))
     uu = _pair(gram, u, u)

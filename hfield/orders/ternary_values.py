@@ -83,7 +83,7 @@ def _solved(
 
 
 def _fits(form: Matrix, value: int, most: tuple[int, int], places: tuple[int, int, int]) -> bool:
-    """Tell whether no number that is computed overflows 64 bits."""
+    """Return whether all computed numbers fit 64 bits."""
     i, j, k = places
     x, y = most
     b = abs(form[k][i]) * x + abs(form[k][j]) * y

@@ -35,7 +35,7 @@ def units_modulo_scalars(order: LatticeValue) -> Iterator[fmpq_mat]:
 
 
 def unit_index(order: LatticeValue) -> int:
-    """Return how many units there are modulo those of the base. Raises likewise."""
+    """Return the number of units modulo those of the base. Raises likewise."""
     return sum(1 for _ in units_modulo_scalars(order))
 
 

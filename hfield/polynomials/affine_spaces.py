@@ -1,4 +1,4 @@
-"""Elements of given trace and norm among those with a + b·q = 0, in every algebra over a field.
+"""Solutions of a + b·q = 0 with given trace and norm, in every algebra over a field.
 
 The trace and b·q are linear in q. Along the radical the norm does not change; modulo it the algebra is
 simple, or of dimension 2 or less with a trace that is not 0, so that a line is left, on which the norm has

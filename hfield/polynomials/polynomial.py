@@ -348,7 +348,7 @@ class Polynomial(PrintedBySympy):
         return Roots(tuple(spheres), tuple(alone), tuple(families), own, self)
 
     def _on_spheres(self, q: Quaternion, spheres: Iterable[tuple[Any, Any]]) -> bool:
-        """Tell whether q² = t·q − n for one of the spheres."""
+        """Return whether q lies on one of the spheres: q² = t·q − n."""
         return any(not self.parent([n, -t, 1])(q) for t, n in spheres)
 
     def _base_norm(self) -> list[Any]:
@@ -443,7 +443,9 @@ class Polynomial(PrintedBySympy):
 
 
 class Factoring:
-    """A search for linear factors: any root over a division algebra; over others all, or one of each kind."""
+    """A search for linear factors: any root over a division algebra, otherwise all roots or one of each
+    kind.
+    """
 
     def __init__(self, A: Any, division: bool) -> None:
         self.algebra, self.division, self.is_whole = A, division, True
@@ -474,7 +476,7 @@ class Factoring:
         return None
 
     def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:
-        """Run through roots: one of each kind first, then, in a finite algebra, all others."""
+        """Yield roots: one of each kind first, then, in a finite algebra, all others."""
         yield from _some(self.algebra, found)
         if self.is_finite:
             yield from found.elements()
@@ -496,7 +498,7 @@ def _power(x: str, n: int, style: str) -> str:
 
 
 def _is_negative(term: str) -> bool:
-    """Tell whether a term is one with a minus before it."""
+    """Return whether a term has a leading minus."""
     return term[:1] in "-−" and not re.search(r"[-+−]", term[1:])
 
 

@@ -39,15 +39,15 @@ class Family(ABC):
 
     @abstractmethod
     def contains(self, q: Quaternion) -> bool:
-        """Tell whether an element is one of these roots."""
+        """Return whether an element is one of these roots."""
 
     @abstractmethod
     def elements(self) -> Iterator[Quaternion]:
-        """Run through these roots over a finite field."""
+        """Yield these roots over a finite field."""
 
     @abstractmethod
     def count(self) -> int:
-        """Return how many there are. Raises :class:`NotFiniteError` for infinitely many."""
+        """Return the number of roots. Raises :class:`NotFiniteError` if it is infinite."""
 
 
 @dataclass(frozen=True)
@@ -58,12 +58,12 @@ class AffineFamily(Family):
     directions: tuple[Quaternion, ...] = field(repr=False)
 
     def contains(self, q: Quaternion) -> bool:
-        """Tell whether an element has this trace and norm and is a root."""
+        """Return whether an element has this trace and norm and is a root."""
         F = q.algebra.ring
         return F.equal(q.trace(), self.t) and F.equal(q.norm(), self.n) and not self.polynomial(q)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Run through the roots over a finite field, or where there are no directions."""
+        """Yield the roots over a finite field, or where there are no directions."""
         F = self.example.algebra.ring
         scalars = list(F.elements()) if self.directions else []
         for q in self.points:
@@ -71,7 +71,7 @@ class AffineFamily(Family):
                 yield sum((v * s for v, s in zip(self.directions, factors, strict=True)), q)
 
     def count(self) -> int:
-        """Return how many there are: the points times all combinations of the directions."""
+        """Return the number of roots: the points times all combinations of the directions."""
         order = self.example.algebra.ring.order
         if self.directions and order is None:
             raise _infinite(self.polynomial)
@@ -86,13 +86,13 @@ class SingularFamily(Family):
     spheres: Places = field(repr=False)
 
     def contains(self, q: Quaternion) -> bool:
-        """Tell whether an element is a root and has trace and norm of no sphere."""
+        """Return whether an element is a root that lies on no sphere."""
         F = q.algebra.ring
         on_sphere = any(F.equal(q.trace(), t) and F.equal(q.norm(), n) for t, n in self.spheres)
         return not on_sphere and not self.polynomial(q)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Run through the roots over a finite field, trace by trace, or element by element."""
+        """Yield the roots over a finite field, trace by trace, or element by element."""
         A: Any = self.example.algebra
         found = matrices_of(self.polynomial)
         if found is None:
@@ -103,7 +103,7 @@ class SingularFamily(Family):
             yield A(*matrices.from_matrix(m))
 
     def count(self) -> int:
-        """Return how many there are. Raises :class:`TooLargeError` over a large finite field."""
+        """Return the number of roots. Raises :class:`TooLargeError` over a large finite field."""
         F = self.example.algebra.ring
         if F.order is None:
             raise _infinite(self.polynomial)
@@ -130,7 +130,8 @@ def _infinite(f: Polynomial) -> NotFiniteError:
 
 @dataclass(frozen=True)
 class Roots:
-    """All roots: ``spheres`` (t, n), where all q with q² = t·q − n are; ``isolated``; other ``families``.
+    """All roots: ``spheres`` (t, n) of all q with q² = t·q − n, ``isolated`` roots, and other
+    ``families``.
 
     ``scalars`` are all roots in the base field, wherever else they lie.
     """
@@ -142,7 +143,7 @@ class Roots:
     polynomial: Polynomial = field(repr=False)
 
     def __bool__(self) -> bool:
-        """Tell whether there is a root."""
+        """Return whether there is a root."""
         return bool(self.spheres or self.isolated or self.families)
 
     def count(self) -> int:
@@ -160,7 +161,7 @@ class Roots:
         return total + sum(m.count() - sum(map(m.contains, self.scalars)) for m in self.families)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Run through all roots, those in the base field first, each once.
+        """Yield all roots, those in the base field first, each once.
 
         Raises :class:`NotFiniteError` as :meth:`count`, and :class:`TooLargeError` for more than
         ``MAX_LISTED_ROOTS``.

@@ -32,7 +32,7 @@ Matrix = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
 def other_root(
     F: Ring, f: Sequence[Matrix], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Matrix | None:
-    """Return a root whose trace and norm are none of ``spheres``, those of which all are roots, or None."""
+    """Return a root whose trace and norm are not among ``spheres``, or None."""
     content, primitive = _row(F, f)
     if all(len(entry) < 2 for entry in primitive):
         v = [(*entry, F.zero)[0] for entry in primitive]
@@ -45,7 +45,7 @@ def other_root(
 def other_roots(
     F: Ring, f: Sequence[Matrix], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Iterator[Matrix]:
-    """Run through all these roots over a finite field."""
+    """Yield all these roots over a finite field."""
     content, primitive = _row(F, f)
     w = [multiplied(F, entry, content) for entry in primitive]
     yield from _roots_at(F, w, spheres, product(F.elements(), repeat=2), every=True)
@@ -102,7 +102,7 @@ def _roots_at(
     places: Iterable[tuple[Scalar, Scalar]],
     every: bool,
 ) -> Iterator[Matrix]:
-    """Run through roots of a row of traces and norms outside the spheres: one of each pair, or ``every``."""
+    """Yield roots with given traces and norms outside the spheres: one for each pair, or ``every`` one."""
     known = {(F.key(t), F.key(n)) for t, n in spheres}
     for t, n in places:
         if (F.key(t), F.key(n)) in known:
@@ -153,13 +153,13 @@ def _in_basis(F: Ring, u: Sequence[Scalar], v: Sequence[Scalar], m: Matrix) -> M
 
 
 def _traces_and_norms(F: Ring, size: int) -> Iterator[tuple[Scalar, Scalar]]:
-    """Run through enough pairs: det(a, b) is a polynomial in t and n, not 0, of degrees below ``size``."""
+    """Yield enough pairs (t, n): det(a, b) is a nonzero polynomial in t and n of degrees below ``size``."""
     elements = list(_elements(F, size))
     return product(elements, elements)
 
 
 def _elements(F: Ring, count: int) -> Iterator[Scalar]:
-    """Run through so many elements, or all."""
+    """Yield a number of elements, or all."""
     if not F.characteristic or F.characteristic >= count:
         yield from map(F, range(count))
     elif F.order is None:

@@ -1,4 +1,4 @@
-"""Try methods one after the other; a method that refuses does not stop the next."""
+"""Try methods in turn; a method that raises does not stop the next."""
 
 from collections.abc import Callable, Iterable
 from typing import ParamSpec, TypeAlias, TypeVar
@@ -13,7 +13,7 @@ T = TypeVar("T")
 
 
 class Attempts:
-    """Calls methods, and keeps the reasons of those that refuse.
+    """Calls methods, and collects the reasons of those that raise.
 
     >>> from hfield import QQ
     >>> attempts = Attempts()
@@ -30,7 +30,7 @@ class Attempts:
         return tuple(self._refusals)
 
     def answer(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T | None:
-        """Return what a method answers, None where it refuses: the work is too large, or undecided."""
+        """Return the result of a method; None if the work is too large or the method undecided."""
         try:
             return method(*args, **kwargs)
         except HFieldError as error:

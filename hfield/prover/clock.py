@@ -27,7 +27,7 @@ class Clock:
 
     @property
     def seconds_left(self) -> float:
-        """How long until then; negative afterwards."""
+        """The number of seconds left; negative afterwards."""
         return self.end - thread_time()
 
     @property

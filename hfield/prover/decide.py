@@ -41,7 +41,7 @@ TIMEOUT = 30.0
 
 @dataclass(frozen=True)
 class Question:
-    """A ``problem``, whose clock does not run yet, and the texts from which it was read.
+    """A ``problem`` whose time limit has not started, and the texts from which it was read.
 
     ``given`` are the hypotheses that were named apart, ``algebra`` is None for H, ``timeout`` in seconds.
     ``remarks`` say how ambiguous words were read.
@@ -62,7 +62,7 @@ def read_question(
     algebra: str | None = None,
     timeout: float = TIMEOUT,
 ) -> Question:
-    """Read a question. Raises :class:`NotationError` or :class:`RingError` for what cannot be read."""
+    """Read a question. Raises :class:`NotationError` or :class:`RingError` if it cannot be read."""
     setting = read_setting(field, algebra)
     words = statement_words(setting.field, setting.letters, setting.table)
     typed = [spell(text, words) for text in (*given, statement)]
@@ -94,7 +94,7 @@ def decide(
 
 
 def answer(question: Question) -> Decision:
-    """Answer a question, in a process of its own where a single step may take long."""
+    """Answer a question, in a subprocess if a single step may take long."""
     if is_risky(question.problem):
         decision = decide_in_subprocess(question)
         if decision is not None:
@@ -141,7 +141,7 @@ def _evaluate_constants(problem: Problem) -> None:
 
 
 def _never_false(problem: Problem) -> Decision | None:
-    """Prove, without certificate, what fails only at solutions of equations that have none."""
+    """Prove, without certificate, a statement that fails only at solutions of unsolvable equations."""
     field = problem.field
     if problem.statement.exists or field is None or not (field.is_exact and field.is_field):
         return None
@@ -152,7 +152,9 @@ def _never_false(problem: Problem) -> Decision | None:
 
 
 def _tried(problem: Problem) -> Decision:
-    """Decide by the method for what exists, or for what holds for all; what nothing satisfies is vacuous."""
+    """Decide by the method for existential or for universal statements; unsatisfiable hypotheses are
+    vacuous.
+    """
     statement = problem.statement
     method = quantifiers.decide if statement.exists else universal.decide
     decision = method(problem)
@@ -179,7 +181,7 @@ MAX_NAME, MAX_NAME_DIGITS = 60, 20  # of a field: long names and long numbers ma
 
 
 def is_risky(problem: Problem) -> bool:
-    """Tell whether deciding may take long in a single step, which no time limit could end."""
+    """Return whether a single step may take long, which a time limit could not interrupt."""
     statement, field = problem.statement, problem.field
     digits = sum(map(_digits, problem.setting.constants))
     if digits > MAX_DIGITS or statement.weight > MAX_WEIGHT:
@@ -195,7 +197,7 @@ def _digits(text: str) -> int:
 
 
 def decide_in_subprocess(question: Question) -> Decision | None:
-    """Decide in another process; None when the field is a user's own, which has no name there."""
+    """Decide in a subprocess; None for a user's own field, which has no name there."""
     import json
     import pickle
     import subprocess

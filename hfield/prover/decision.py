@@ -38,7 +38,7 @@ __all__ = [
 
 
 class Scope(str):
-    """Where a statement was shown, in words; ``primes`` are those of "characteristics [...]"."""
+    """The scope of a verdict in words; ``primes`` are those of "characteristics [...]"."""
 
     primes: tuple[int, ...] = ()
 
@@ -108,7 +108,7 @@ class Decision:
         return certificate(statement, algebra, name, data, *judged)
 
     def __bool__(self) -> bool:
-        """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""
+        """True for proved or vacuous, False for refuted. Raises UndecidedError otherwise."""
         if self.verdict in (PROVED, VACUOUS):
             return True
         if self.verdict == REFUTED:
@@ -118,5 +118,5 @@ class Decision:
 
 
 def undecided(*tried: str, method: str = NONE) -> Decision:
-    """Return that nothing decided it, with what was tried."""
+    """Return the verdict undecided, with the methods that were tried."""
     return Decision(UNDECIDED, method, tried=tried)

@@ -22,7 +22,7 @@ MODULI = range(2, 14)
 
 
 def algebra_exists(problem: Problem) -> bool | None:
-    """Tell whether the structure constants are defined for some values of the letters.
+    """Return whether the structure constants are defined for some values of the letters.
 
     Over all fields at once: in some field. None where that is not known.
     """
@@ -72,7 +72,7 @@ def _generically(problem: Problem) -> bool:
 
 
 def _fails_modulo(problem: Problem) -> bool:
-    """Tell whether the divisors are units together nowhere modulo some number, hence nowhere."""
+    """Return whether, modulo some number, the divisors are never all units."""
     for n in MODULI:
         residues = problem.ring.modulo(n)
         if residues is None:

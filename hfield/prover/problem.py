@@ -21,7 +21,7 @@ _NOTHING = object()
 
 
 class Memory:
-    """What functions of problems have answered: many fields and many statements ask the same."""
+    """A cache of functions of problems, shared by fields and statements."""
 
     def __init__(self) -> None:
         self._kept: dict[str, dict[Hashable, Any]] = {}
@@ -41,7 +41,7 @@ class Memory:
         return found
 
     def cache_clear(self) -> None:
-        """Forget everything; named as functools names it, for whoever empties all caches."""
+        """Clear the cache; the name is that of functools."""
         self._kept.clear()
 
 
@@ -70,7 +70,7 @@ class Problem:
 
     @property
     def letters(self) -> frozenset[str]:
-        """The unknowns that are structure constants: 0 is the last value that they are given."""
+        """The unknowns that are structure constants, for which 0 is tried last."""
         return frozenset(self.setting.letters).intersection(self.statement.sorts)
 
     # --- time ------------------------------------------------------------------------------------
@@ -81,7 +81,7 @@ class Problem:
         return self.clock.is_late
 
     def within(self, seconds: float) -> Problem:
-        """Return the problem with at most so many seconds of the time that is left."""
+        """Return the problem with at most this many seconds of the remaining time."""
         return replace(self, clock=self.clock.within(seconds))
 
     def share(self, part: float, least: float = 0.0) -> Problem:
@@ -136,7 +136,7 @@ class Problem:
 
 
 def constants_in(node: Node, ring: Ring | None) -> Iterator[str]:
-    """Run through the texts of the ring's constants in a tree."""
+    """Yield the texts of the ring's constants in a tree."""
     if ring is None:
         return
     if isinstance(node, Name):
@@ -156,7 +156,7 @@ T = TypeVar("T")
 def remembered(
     function: Callable[Concatenate[Problem, P], T],
 ) -> Callable[Concatenate[Problem, P], T]:
-    """Let a function of a problem remember its answers, unless the time was over.
+    """Cache the answers of a function of a problem, unless it ran out of time.
 
     Statement and structure constants tell the problem; a function that depends on more of it, such as
     the ring, has that among its arguments, which are hashable.

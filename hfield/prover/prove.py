@@ -41,7 +41,7 @@ _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APP
 
 @dataclass(frozen=True)
 class Answer:
-    """A statement with its decision. Its truth value raises UndecidedError when there is none.
+    """A statement with its decision. Its truth value raises UndecidedError if it is undecided.
 
     Answers are equal when statement, algebra, field and decision are, pickled ones too.
     """
@@ -62,7 +62,7 @@ class Answer:
 
     @property
     def exit_status(self) -> int:
-        """What the command line ends with: 0 proved or vacuous, 1 refuted, 3 undecided."""
+        """The exit status of the command: 0 proved or vacuous, 1 refuted, 3 undecided."""
         return EXIT_STATUS[self.verdict]
 
     @property
@@ -79,7 +79,7 @@ class Answer:
 
     @cached_property
     def why_no_certificate(self) -> str | None:
-        """Why there is no certificate, in a line; None where there is one."""
+        """The reason why there is no certificate, in a line; None where there is one."""
         if self._evidence is None:
             decided = self.verdict in (PROVED, REFUTED, VACUOUS)
             if decided and self.setting.field is not None and self.setting.field.data is None:
@@ -101,7 +101,7 @@ class Answer:
 
     @property
     def text(self) -> str:
-        """The statement as it was written, hypotheses that were given apart put in front."""
+        """The statement as typed, with separately given hypotheses in front."""
         return self.statement.text
 
     @property

@@ -7,7 +7,7 @@ from pkgutil import get_data
 
 
 class Step(str):
-    """A line in English that knows which sentence it is, and what stands in its slots."""
+    """A step of a proof: an English sentence with its key and the values of its slots."""
 
     name: str
     slots: Mapping[str, str]
@@ -23,7 +23,7 @@ class Step(str):
         return self.at(super().strip(chars))
 
     def said(self, language: str, other: Callable[[str], str | None]) -> str | None:
-        """Return the line in a language; ``other`` says what stands in a slot and is not a line itself."""
+        """Return the sentence in a language; ``other`` translates slots that are not steps."""
         said = {}
         for slot, value in self.slots.items():
             text = value.said(language, other) if isinstance(value, Step) else other(value)

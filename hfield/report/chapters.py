@@ -12,7 +12,7 @@ GROUP = "hfield.report_sections"
 
 
 class ChapterError(HFieldError, LookupError):
-    """A chapter that no package brings, or that cannot be made."""
+    """No package has the chapter, or it cannot be built."""
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ Words = dict[str, str]
 
 
 def formula(text: str) -> str:
-    """Set a statement of the language as formulas, a line for each that ``and`` joins; nothing for words.
+    """Typeset a statement as formulas, a line for each operand of ``and``; nothing for words.
 
     >>> formula("the top has 2002 points")
     ''
@@ -34,7 +34,7 @@ def formula(text: str) -> str:
 
 
 def field_html(name: str) -> str:
-    """Set the name of a column: ``GF(9)`` as F with a small 9, ``QQ(sqrt(2))`` as ℚ(√2)."""
+    """Typeset the name of a column: ``GF(9)`` as F with index 9, ``QQ(sqrt(2))`` as ℚ(√2)."""
     if name in (UNIVERSAL, NO_FIELD):
         return "∀" if name == UNIVERSAL else "–"
     return prose(name)
@@ -59,7 +59,7 @@ def prose(text: str) -> str:
 
 
 def field_text(name: str) -> str:
-    """Write the same without tags, as options of a list want it: ``F9``."""
+    """Return the name of a column without tags, for lists of options: ``F9``."""
     return re.sub("<[^>]*>", "", field_html(name))
 
 

@@ -87,7 +87,7 @@ def _file(name: str) -> str:
 
 
 def _summary(rows: Sequence[Row], certificates: int, words: Words) -> str:
-    """Set how many claims and decisions there are, by section and verdict, and what is amiss."""
+    """Typeset the numbers of claims and decisions by section and verdict, and the unexpected ones."""
     claims = list(dict.fromkeys(row.claim for row in rows))
     counts = tally(rows)
     figures = [
@@ -133,7 +133,7 @@ def _thousands(n: int) -> str:
 
 
 def _filters(rows: Sequence[Row], words: Words) -> str:
-    """Set the controls; a script shows them, as they do nothing without it."""
+    """Write the controls, which a script makes visible."""
     sections = [(s, s) for s in dict.fromkeys(row.claim.section for row in rows)]
     fields = [(f, field_text(f) + _meaning(f, words)) for f in columns_of(rows)]
     verdicts = [(v, f"{MARKS[v]} {words[v]}") for v in VERDICTS]
@@ -240,7 +240,7 @@ def _article(rows: Sequence[Row], certificates: Certificates, words: Language) -
 
 
 def description(facts: Sequence[tuple[str, str]]) -> str:
-    """Set labels with what stands beside them."""
+    """Write a list of labels and descriptions."""
     return (
         "<dl>"
         + "".join(f"<div><dt>{label}</dt><dd>{body}</dd></div>" for label, body in facts)
@@ -249,7 +249,7 @@ def description(facts: Sequence[tuple[str, str]]) -> str:
 
 
 def _decisions(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
-    """Set the decisions of a claim in a table, those that are alike in one line; closed at first."""
+    """Write the decisions of a claim as a folded table, with equal decisions in one line."""
     alike: dict[Alike, list[Row]] = {}
     for row in rows:
         alike.setdefault(_alike(row), []).append(row)
@@ -305,7 +305,7 @@ def _row_of_claim(
 
 
 def _field(row: Row, number: int | None, which: str = "") -> str:
-    """Set a field, as a button where there is a certificate to save."""
+    """Write a field, as a button if there is a certificate to save."""
     shown = field_html(row.field)
     if number is None:
         return f'<span class="field">{shown}</span>'
@@ -313,7 +313,7 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
 
 
 def _reasons(decision: Decision, words: Language) -> str:
-    """Set the steps of a decision, what it cites and what was tried, as lines."""
+    """Write the steps of a decision, its citations and the methods tried, as lines."""
     steps = [words.html(step.strip(), "li", MAX_LETTERS) for step in decision.steps]
     if len(steps) > MAX_STEPS:
         more = words["more_steps"].format(n=len(steps) - MAX_STEPS + 1)

@@ -22,7 +22,7 @@ _NUMBERED = re.compile(r"(\D+) (\d[\d.]*)( proof)?")
 
 
 def term(text: str, words: Words) -> str:
-    """Set the kind of a claim or a way of proof; what has no translation stays and is marked as English.
+    """Write the kind of a claim or a method of proof; untranslated text is marked as English.
 
     >>> term("lemma 3 proof", POLISH), term("identity; implication", POLISH)
     ('lemat 3, dowód', 'tożsamość; implikacja')
@@ -50,7 +50,7 @@ OURS = (
 
 
 class Language(dict[str, str]):
-    """The page's words; what is written in English and has no translation is marked as English."""
+    """The words of the page in one language; untranslated text is marked as English."""
 
     def __init__(self, name: str, rows: Sequence[Row]) -> None:
         super().__init__(LANGUAGES[name])
@@ -58,13 +58,13 @@ class Language(dict[str, str]):
         self._translation = None if name == "en" else Translation(claims, name, OURS)
 
     def for_claim(self, claim: Claim) -> TranslatedClaim | None:
-        """Return what a claim says in this language, or None where it is known in English only."""
+        """Return the text of a claim in this language, or None if there is only an English one."""
         if self._translation is None:
             return TranslatedClaim(claim.name, claim.statement, claim.note)
         return self._translation.for_claim(claim)
 
     def printed(self, claim: Claim) -> str:
-        """Set what the thesis prints, in Polish, which is its language."""
+        """Write the text of the thesis, in Polish."""
         text = self._translation.printed(claim) if self._translation else claim.quotation
         return f'<p lang="pl">{prose(text)}</p>'
 
@@ -73,7 +73,9 @@ class Language(dict[str, str]):
         return text if self._translation is None else self._translation.say(text)
 
     def html(self, text: str, tag: str = "span", most: int | None = None) -> str:
-        """Set a text in this language, cut after ``most`` letters; what stays English is marked."""
+        """Write a text in this language, cut after ``most`` letters; untranslated text is marked as
+        English.
+        """
         said = self.say(text)
         shown = text if said is None else said
         body = prose(shown if most is None else shorten(shown, most))
@@ -82,7 +84,7 @@ class Language(dict[str, str]):
         return body if tag == "span" else f"<{tag}>{body}</{tag}>"
 
     def statement(self, text: str) -> str:
-        """Set what is decided: formulas, or a sentence."""
+        """Write the decided statement: formulas, or a sentence."""
         return formula(text) or self.html(text, "p")
 
     def name(self, claim: Claim) -> str:

@@ -45,7 +45,7 @@ def split(text: str, separator: str) -> list[str]:
 
 
 def is_balanced(text: str) -> bool:
-    """Tell whether the brackets of a text match."""
+    """Return whether the brackets of a text match."""
     try:
         return all(True for _ in outside(text))
     except NotationError:
@@ -53,7 +53,7 @@ def is_balanced(text: str) -> bool:
 
 
 def last_group(text: str) -> tuple[str, str, str]:
-    """Split a text that ends with a pair of brackets: what stands before, the opening one, what is inside.
+    """Split a text that ends with a pair of brackets: the text before, the opening bracket, the content.
 
     Three empty texts where it ends otherwise.
 

@@ -74,7 +74,7 @@ def parse(text: str) -> Node:
 
 
 class _TreeParser:
-    """One text being read; the methods take tokens from the left and return trees."""
+    """The parser of one text; its methods consume tokens and return trees."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -125,7 +125,7 @@ class _TreeParser:
         raise NotationError(message, self.text, self.position)
 
     def mend(self) -> str:
-        """Say what to write where a product's sign is missing, as in ``2q``."""
+        """Return what to write where a product's sign is missing, as in ``2q``."""
         before = self.tokens[self.index - 1][1]
         if before in _FOR_ALL:
             return f": unknowns stand for all elements, write the statement without {before!r}"
@@ -152,7 +152,7 @@ class _TreeParser:
         )
 
     def grow(self, node: Node, *children: Node) -> Node:
-        """Note how high the tree has grown, and stop before whoever walks it would fall."""
+        """Record the depth of the tree, and raise before recursion would overflow."""
         height = 1 + max((self.heights.get(id(child), 0) for child in children), default=0)
         if height > MAX_HEIGHT:
             self.fail(f"more than {MAX_HEIGHT} operations build on each other; write it in parts")
@@ -179,7 +179,7 @@ class _TreeParser:
         return left
 
     def prefix(self, strength: int, depth: int) -> Node:
-        """Read an operand with what stands in front of it: exists, not, a sign."""
+        """Read an operand with its prefix: exists, not, a sign."""
         position, op = self.position, self.take(*_PREFIXES)
         if not op:
             return self.power(depth)

@@ -1,4 +1,4 @@
-"""Parts of a text that remember where they stand, so that errors name the character in the whole text."""
+"""Parts of a text that keep their positions, so that errors name the character in the whole text."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class SourceSpan:
         return {name: self[start:end].strip() for name, (start, end) in groups if start >= 0}
 
     def split(self, separator: str) -> list[SourceSpan]:
-        """Part the text at a separator outside all brackets; ``<`` and ``>`` are brackets here."""
+        """Split the text at a separator outside all brackets; ``<`` and ``>`` are brackets here."""
         text, open_brackets, start = self.text, list[tuple[str, int]](), 0
         parts: list[SourceSpan] = []
         for place, char in enumerate(text):
@@ -72,12 +72,12 @@ class SourceSpan:
         return [*parts, self[start:].strip()]
 
     def inside(self, opening: str = "[") -> SourceSpan | None:
-        """Return what stands between the brackets around the whole part, None where there are none."""
+        """Return the content of brackets around the whole part; None if there are none."""
         found = self.call(opening)
         return None if found is None or found[0].text else found[1]
 
     def call(self, opening: str = "(") -> tuple[SourceSpan, SourceSpan] | None:
-        """Return what stands before the last pair of brackets and inside it, where the part ends with it."""
+        """Return the text before the last pair of brackets and its content, if the part ends with it."""
         text, closing, depth = self.text, CLOSING[opening], 0
         if not text.endswith(closing):
             return None

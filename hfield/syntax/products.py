@@ -75,7 +75,7 @@ class Vocabulary:
 
     @property
     def has_coordinates(self) -> bool:
-        """Whether i, j and k are known, in which coordinates are written out."""
+        """Whether i, j and k are known, so that coordinates can be written as a sum."""
         return self.letters >= {"i", "j", "k"}
 
     def factors(self, word: str) -> str:
@@ -87,7 +87,7 @@ class Vocabulary:
         return word if len(word) <= MAX_SPLIT or _BASIS.issuperset(word) else ""
 
     def is_operand(self, word: str) -> bool:
-        """Tell whether a word is a value, or a product of values."""
+        """Return whether a word is a value, or a product of values."""
         return word in self.names or bool(self.factors(word))
 
 
@@ -127,7 +127,7 @@ _Items = list["_Token | _Group"]
 
 
 def write_products(letters: Letters, source: str, vocabulary: Vocabulary) -> Typed:
-    """Write out a text whose signs are read; ``source`` is what was typed.
+    """Insert the product signs in a text; ``source`` is the typed text.
 
     Raises :class:`NotationError` where a product has two readings, or a coordinate is not a scalar.
     """
@@ -186,7 +186,7 @@ class _ProductWriter:
         raise NotationError(message, self.source, place)
 
     def body(self, items: _Items) -> Letters:
-        """Write what stands between brackets, or the whole text."""
+        """Write the content of brackets, or the whole text."""
         parts, commas = _split(items, (",",))
         written = [self.clause(parts[0])]
         for comma, part in zip(commas, parts[1:], strict=True):
@@ -219,8 +219,8 @@ class _ProductWriter:
             if not side.text:
                 place = signs[max(n - 1, 0)].place
                 where = "after" if n else "before"
-                sign = _TYPED_COMPARISON.match(self.source, place)
-                shown = sign[0] if sign else self.source[place]
+                typed = _TYPED_COMPARISON.match(self.source, place)
+                shown = typed[0] if typed else self.source[place]
                 self.fail(f"expected a number, a name or '(' {where} {shown!r}", place)
             if side.text[-1] in "+-*/^":
                 self.fail(
@@ -290,7 +290,7 @@ class _ProductWriter:
         return "operand" if self.vocabulary.is_operand(item.text) else "unknown"
 
     def is_product(self, item: _Token | _Group) -> bool:
-        """Tell whether an item is a word of several factors."""
+        """Return whether an item is a word of several factors."""
         return (
             isinstance(item, _Token)
             and item.kind == "name"
@@ -298,7 +298,7 @@ class _ProductWriter:
         )
 
     def need_one_reading(self, quotient: _Items, item: _Token | _Group) -> None:
-        """Refuse ``1/2x``, ``1/xy`` and ``x/2i``; ``1/2i``, as it is printed, and ``1/2 x`` divide first."""
+        """Raise for the ambiguous ``1/2x``, ``1/xy`` and ``x/2i``; ``1/2i`` and ``1/2 x`` divide first."""
         slash = max(n for n, part in enumerate(quotient) if _is_sign(part, "/"))
         signed = quotient[slash + 1 :]
         divisor = [part for part in signed if not _is_sign(part, "-") and not _is_sign(part, "+")]

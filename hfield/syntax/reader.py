@@ -1,4 +1,4 @@
-"""Evaluate a syntax tree; the caller says what numbers, names and functions mean."""
+"""Evaluate a syntax tree with the caller's numbers, names and functions."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class OfTrees:
 
 @dataclass(frozen=True)
 class Reader:
-    """What the names of a term mean: how numbers, names and functions become values.
+    """The protocol of readers: the values of numbers, names and functions.
 
     ``limit`` bounds the weight of a term (see :func:`weight`), so that nothing is begun that could
     not end; ``what`` says in errors what was being read.

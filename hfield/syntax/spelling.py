@@ -188,7 +188,7 @@ def _decomposed(char: str) -> str:
 
 
 def _command(found: re.Match[str]) -> tuple[str, ...]:
-    """Return what a command of LaTeX means; one that is not known stays, so that an error shows it."""
+    """Return the meaning of a LaTeX command; unknown ones are kept for the error message."""
     if found[1] is None:
         return ("" if "$" in found[0] else " ",)
     meaning = _COMMANDS.get(found[1], found[0])
@@ -307,7 +307,9 @@ def _without_braces(letters: Letters, in_latex: bool) -> Letters:
 
 
 class _Bracket:
-    """An open bracket: where, what closes it, and whether all its parts so far are commutators or rows."""
+    """An open bracket: its position, its closing bracket, and whether all parts so far are commutators or
+    rows.
+    """
 
     def __init__(self, place: int, closing: str) -> None:
         self.place, self.closing = place, closing
@@ -323,13 +325,13 @@ class _Bracket:
         self.parts += not self.nesting
 
     def begin(self, is_bracket: bool) -> None:
-        """Note that a part begins, or goes on after a bracket."""
+        """Record that a part begins, or continues after a bracket."""
         self.of_brackets = self.of_brackets and self.empty and is_bracket
         self.empty = False
 
     @property
     def is_matrix(self) -> bool:
-        """Whether it is written as the rows of a matrix, once it closes."""
+        """Whether the closed bracket contains the rows of a matrix."""
         return self.closing == ")" and self.of_brackets and not self.empty
 
 
@@ -395,7 +397,7 @@ FOREIGN_FUNCTIONS = {
 
 
 def foreign_function_hint(function: str) -> str:
-    """Return how a function of the library, or of another system, is called in the language.
+    """Return the name in the language of a function of the library or of another system.
 
     >>> foreign_function_hint("reduced_norm"), foreign_function_hint("det")
     (', write norm', '')

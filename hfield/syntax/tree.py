@@ -198,7 +198,7 @@ def _nodes_in(fields: tuple[str, ...]) -> Callable[[Node], tuple[Node, ...]]:
 
 
 def rebuild(node: Node, parts: Sequence[Node]) -> Node:
-    """Return a node like ``node`` with other nodes below it, as many as its :func:`children`."""
+    """Return a copy of ``node`` with other children, as many as :func:`children` returns."""
     if isinstance(node, Call):
         return replace(node, arguments=tuple(parts))
     changes: dict[str, Any] = dict(zip(node.below, parts, strict=True))

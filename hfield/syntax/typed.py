@@ -60,7 +60,7 @@ class Letters:
     def sub(
         self, pattern: Pattern[str], pieces: Callable[[Match[str]], Sequence[str | int]]
     ) -> Letters:
-        """Replace each match by ``pieces(match)``: texts, and numbers of groups that stay as they are."""
+        """Replace each match by ``pieces(match)``: texts, and indices of groups to keep."""
         if pattern.search(self.text) is None:
             return self
         parts: list[Letters] = []
@@ -76,7 +76,7 @@ class Letters:
         return Letters.join([*parts, self[end:]])
 
     def replaced(self, sign: str, letters: str) -> Letters:
-        """Replace a sign wherever it stands."""
+        """Replace a sign everywhere."""
         parts: list[Letters] = []
         start = 0
         while (found := self.text.find(sign, start)) >= 0:

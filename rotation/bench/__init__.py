@@ -1,4 +1,4 @@
-"""The benchmark of the thesis (3.2), for many ways to rotate; ``hfield bench`` runs it.
+"""The benchmark of the thesis (3.2) for many implementations; ``hfield bench`` runs it.
 
 ``tasks`` says what is to be computed, ``ways`` how, ``measure`` checks every way and times it,
 ``results``, ``chart`` show the result.

@@ -47,7 +47,7 @@ def try_chart(path: str) -> Path:
 def write_chart(
     results: Sequence[Result], settings: Settings, path: Path, replace: bool | None = None
 ) -> None:
-    """Draw the results and write them to ``path``, whole or not at all, as :func:`write_whole` does."""
+    """Draw the results and write them to ``path`` atomically, as :func:`write_whole` does."""
     groups = [
         sorted((r for r in group if r.samples), key=lambda r: -r.best)
         for _, group in groupby(results, key=lambda r: r.test)

@@ -1,4 +1,4 @@
-"""Checking that a way computes what it should, and then timing it.
+"""Check that an implementation is correct, then time it.
 
 A way that gives another result than :meth:`Task.expected` is not timed. The repeats go round all
 ways, so that a disturbance of the machine does not fall on one of them alone.
@@ -46,7 +46,8 @@ Report = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Settings:
-    """The extent of a benchmark; ``seconds`` bounds the time of one way in one test, without checks.
+    """The extent of a benchmark; ``seconds`` bounds the time of one implementation in one test, without
+    checks.
 
     ``cloud`` are the user's points, ``points`` is their number; with None the points are random.
     """
@@ -66,7 +67,7 @@ class Settings:
 
 @dataclass
 class Result:
-    """What one way did in one test, in seconds a frame of all points.
+    """The result of one implementation in one test, in seconds a frame of all points.
 
     ``samples`` has one mean a repeat; ``best`` is the quickest frame of all: the least disturbed one.
     ``points`` and ``frames`` are what was timed, of which ``scale`` makes all points. ``error`` is the
@@ -88,7 +89,7 @@ class Result:
 
     @property
     def mean(self) -> float:
-        """The mean time of a frame in seconds, as the thesis takes it."""
+        """The mean time of a frame in seconds, as in the thesis."""
         return mean(self.samples)
 
     @property
@@ -108,7 +109,9 @@ class _Runner:
 def run_test(
     test: Test, ways: Sequence[Way], settings: Settings, report: Report = lambda what: None
 ) -> list[Result]:
-    """Check and time the ways that can do the test; ``report`` is called with the current step."""
+    """Check and time the implementations that support the test; ``report`` is called with the current
+    step.
+    """
     task = settings.task(test)
     expected = task.expected(task.check)
     results, runners = [], []
@@ -137,7 +140,9 @@ def _prepare(
     settings: Settings,
     deal: Callable[[Way, Task], FrameFunction],
 ) -> _Runner | None:
-    """Lay the task out for a way, check it, choose how many frames to time; None if it cannot run."""
+    """Prepare the task for an implementation, check it, and choose the number of frames; None if it cannot
+    run.
+    """
     way = result.way
     if way.slow:
         task = task.part(0, min(SLOW_POINTS, settings.points))
@@ -235,7 +240,7 @@ def _times(frame: FrameFunction, chosen: Sequence[int]) -> list[float]:
 
 @contextmanager
 def _no_collector() -> Iterator[None]:
-    """Keep the garbage collector out of the times, as :mod:`timeit` does."""
+    """Disable the garbage collector while timing, as :mod:`timeit` does."""
     enabled = gc.isenabled()
     gc.collect()
     gc.disable()
@@ -248,7 +253,7 @@ def _no_collector() -> Iterator[None]:
 
 @contextmanager
 def _own_threads(number: int) -> Iterator[None]:
-    """Let our own calls use ``number`` threads."""
+    """Let hfield's calls use ``number`` threads."""
     from rotation.kernels import threads
 
     before = threads()
@@ -261,7 +266,7 @@ def _own_threads(number: int) -> Iterator[None]:
 
 @contextmanager
 def _dealer(number: int) -> Iterator[Callable[[Way, Task], FrameFunction]]:
-    """Yield what prepares a way for ``number`` threads.
+    """Yield a function that prepares an implementation for ``number`` threads.
 
     Ours share the work themselves. To the others, which use one thread, the points are dealt: each
     of the threads runs the way on its part.
@@ -282,7 +287,7 @@ def _dealer(number: int) -> Iterator[Callable[[Way, Task], FrameFunction]]:
 
 
 class _Pieces(list[ArrayLike]):
-    """The parts of a frame, joined only when somebody looks at them."""
+    """The parts of a frame, joined on access."""
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Array:
         return np.concatenate([np.asarray(part) for part in self])

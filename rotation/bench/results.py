@@ -87,7 +87,7 @@ def _milliseconds(seconds: float) -> str:
 
 
 def remark(result: Result, settings: Settings) -> str:
-    """Say on what part of the work a way was timed, where not on all of it."""
+    """Return a remark on the part of the work that was timed, if not all of it."""
     parts = []
     if result.points < settings.points:
         parts.append(f"on {result.points} points, scaled by {result.scale:.4g}")
@@ -190,7 +190,7 @@ def machine_line() -> str:
 
 
 def processor() -> str:
-    """Return the name of the processor, as far as the system tells it."""
+    """Return the name of the processor, if the system gives one."""
     try:
         with open("/proc/cpuinfo", encoding="utf-8", errors="replace") as lines:
             names = (

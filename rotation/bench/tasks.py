@@ -24,7 +24,7 @@ SEED = 20_170_228
 
 @dataclass(frozen=True)
 class Task:
-    """The input of one test, before any way lays it out for itself.
+    """The input of one test, independent of the implementation.
 
     ``points`` (n, 3). *one axis*: frame f turns all points about z by ``angles[f]``. *own axis*: it
     turns point i about ``axes[i]``, of any length, by ``angles[f + i]``, so that no frame repeats

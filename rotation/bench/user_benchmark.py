@@ -45,7 +45,7 @@ class Benchmark:
 
     @property
     def rows(self) -> list[dict[str, object]]:
-        """One dict for each test and way: the rows of a table.
+        """One dict for each test and implementation: the rows of a table.
 
         Times are in milliseconds for a frame of all points: ``mean_ms``, ``median_ms`` and ``min_ms`` of
         the repeats in ``samples_ms``, and ``best_frame_ms``, the quickest frame. ``ratio_to_copy`` and
@@ -71,7 +71,7 @@ def benchmark(
     threads: int | None = None,
     seconds: float = 1.5,
 ) -> Benchmark:
-    """Time functions of your own beside hfield, scipy, other libraries and the thesis's (3.2).
+    """Time the user's functions beside hfield, scipy, other libraries and the thesis's (3.2).
 
     Before the timing each function is compared with the products of :mod:`hfield.core.product`. All ways are
     timed in turns in the same run.
@@ -161,7 +161,7 @@ def chosen_tests(number: str | None) -> list[Test]:
 def with_own(
     functions: Mapping[str, Function], tests: Sequence[Test], settings: Settings
 ) -> tuple[Way, ...]:
-    """Check the user's functions, and return all ways, with these functions after the copy.
+    """Check the user's functions, and return all implementations, with these after the copy.
 
     Raises :class:`OwnFunctionError` for a function that fails or is wrong, and RotationError for a name that
     another way has, or a function that does none of the tests.

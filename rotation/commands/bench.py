@@ -1,4 +1,4 @@
-"""``hfield bench``: the benchmark of the thesis (3.2), for many ways to rotate."""
+"""``hfield bench``: the benchmark of the thesis (3.2) for many implementations."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def run(args: Namespace) -> int:
 
 
 def _one_thread_for_blas() -> None:
-    """Keep numpy's matrix products to one thread, as the points are dealt to ``--threads`` of ours.
+    """Limit numpy's matrix products to one thread, since points are shared by ``--threads`` threads.
 
     The libraries read these variables when numpy is imported.
     """

@@ -93,7 +93,7 @@ def _degrees(text: str) -> float:
 
 
 def run(args: Namespace) -> int:
-    """Draw, write and tell where."""
+    """Draw and write the figures, and report the files."""
     from rotation.figures.saving import save
 
     turned = args.points is not None or bool(args.angle)

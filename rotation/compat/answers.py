@@ -28,7 +28,7 @@ _BLOCK = 2**20  # products that are in memory at once
 
 @quiet
 def unchecked(m: Array) -> Array:
-    """Return the quaternions of matrices that are taken for rotations: ``4·q·qᵀ``, whose largest row is q."""
+    """Return the quaternions of matrices without checking them, by the largest row of ``4·q·qᵀ``."""
     rows = davenport([[m[..., r, c] for c in range(3)] for r in range(3)])
     products = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
     products[..., range(4), range(4)] += 1.0
@@ -50,7 +50,7 @@ def averaged(q: Array, weights: Array | None, axes: tuple[int, ...]) -> Array:
 
 
 def group_elements(group: str, axis: str) -> Array:
-    """Return the quaternions of a group; the identity comes behind three half turns, if there are such."""
+    """Return the quaternions of a group in scipy's order, with the identity after three half turns."""
     q = groups.elements(group, axis)
     return q[[1, 2, 3, 0, *range(4, len(q))]] if group in groups.POLYHEDRAL else q
 
@@ -89,7 +89,7 @@ def _scalars(p: Array, left: Array, right: Array) -> Array:
 def aligned(
     a: ArrayLike, b: ArrayLike, weights: ArrayLike | None, with_sensitivity: bool
 ) -> tuple[Array, Array, Array | None]:
-    """Solve Wahba's problem as scipy asks it, for one set of vectors, in its words for what does not fit.
+    """Solve Wahba's problem for one set of vectors, with scipy's error messages.
 
     Return the quaternion, the root of the sum that remains, and the sensitivity if asked for.
     """
@@ -133,7 +133,7 @@ def aligned(
 
 
 def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
-    """The best rotation, or with a warning one of many that are equally good: that of scipy."""
+    """The best rotation; if several are equally good, that of scipy, with a warning."""
     if len(w) == 1 or not all(np.isfinite(x).all() for x in (u, v, w)):
         return fitted(*checked(u, v, w))
     # By powers of two near 1: nothing overflows, and scipy's threshold means the same.

@@ -56,14 +56,14 @@ def motions(value: object) -> Array | None:
 
 
 def expected(array: Array | None, value: object, words: str) -> Array:
-    """Return what `quaternions` or `matrices` found; raise DTypeError, with ``words``, if it is nothing."""
+    """Return the result of `quaternions` or `matrices`; raise DTypeError, with ``words``, if it is None."""
     if array is None:
         raise DTypeError(f"{words}; this is {hints.described(value)}")
     return array
 
 
 def refuse_factor(value: object, other: object) -> None:
-    """Raise DTypeError, with advice, where a rotation meets a transform that does not take it."""
+    """Raise DTypeError, with advice, for a product of a rotation with an unsupported transform."""
     if hints.kind(other) == (hints.COMPAT, "RigidTransform"):
         return
     found = {getattr(hints.kind(x), "name", None) for x in (value, other)}

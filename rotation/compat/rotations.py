@@ -72,7 +72,7 @@ class Rotation(Assignable):
     @classmethod
     @quiet
     def from_matrix(cls, matrix: ArrayLike, *, assume_valid: bool = False) -> Self:
-        """Make rotations from matrices; what is not orthogonal is replaced by the nearest rotation."""
+        """Make rotations from matrices; other matrices are replaced by the nearest rotation."""
         m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
         if assume_valid:
             return cls._of(answers.unchecked(m))

@@ -71,7 +71,7 @@ class RigidTransform(Assignable):
 
     @classmethod
     def from_components(cls, translation: ArrayLike, rotation: Rotation) -> Self:
-        """Make transforms that turn first, then shift."""
+        """Make transforms that rotate first, then translate."""
         return cls.from_translation(translation) * cls.from_rotation(rotation)
 
     @classmethod
@@ -82,7 +82,7 @@ class RigidTransform(Assignable):
 
     @classmethod
     def from_dual_quat(cls, dual_quat: ArrayLike, *, scalar_first: bool = False) -> Self:
-        """Make transforms from dual quaternions; one whose real part is zero turns nothing."""
+        """Make transforms from dual quaternions; zero real parts are read as no rotation."""
         d = checks.numbers(dual_quat, "dual_quat", "(..., 8)", (8,)).copy()
         nothing = ~d[..., :4].any(axis=-1)
         d[..., 0 if scalar_first else 3][nothing] = 1.0

@@ -178,7 +178,7 @@ def _steps(times: Array) -> Array:
 
 
 def _values(omega: ArrayLike | Callable[[float], ArrayLike], times: Array, at: Array) -> Array:
-    """The angular velocities at points of which one lies in each interval, (n − 1, …, 3)."""
+    """The angular velocities at one point of each interval, (n − 1, …, 3)."""
     xp = namespace(times)
     if callable(omega):
         found = [omega(float(x) if is_numpy(xp) else x) for x in at]

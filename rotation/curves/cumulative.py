@@ -1,4 +1,4 @@
-"""Curves drawn by control rotations or motions: cumulative cubic B-splines, with velocity and acceleration.
+"""Cumulative cubic B-splines of rotations or motions, with velocity and acceleration.
 
 C. Sommer, V. Usenko, D. Schubert, N. Demmel and D. Cremers, "Efficient derivative computation for cumulative
 B-splines on Lie groups", CVPR 2020; after M.-J. Kim, M.-S. Kim and S. Y. Shin, SIGGRAPH 1995.

@@ -69,7 +69,7 @@ def _parameter(t: ArrayLike, *rotations: Rotation) -> Array | float:
 
 
 def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Array | float) -> Rotation:
-    """The cubic of quaternions as they stand: a sign here would make a corner of the curve."""
+    """The spherical cubic of the given quaternions, without changes of sign."""
     return _direct(_direct(p, q, t), _direct(a, b, t), 2.0 * t * (1.0 - t))
 
 
@@ -79,7 +79,7 @@ def _direct(p: Rotation, q: Rotation, t: Array | float) -> Rotation:
 
 
 def _nearer(q: Rotation, p: Rotation) -> Rotation:
-    """The same rotations as q, by those of the quaternions q and −q that are nearer to p."""
+    """The rotations q, by whichever of the quaternions q and −q is nearer to p."""
     xp = namespace(p._q, q._q)
     far = xp.sum(p._q * q._q, axis=-1, keepdims=True) < 0.0
     return Rotation._of(xp.where(far, -q._q, q._q))
@@ -211,7 +211,7 @@ class Squad(Slerp):
 
 
 def _continuous(rotations: Rotation, steps: Array) -> Rotation:
-    """The same rotations, by such of their quaternions that each step (…, 4) is the canonical one."""
+    """The same rotations, with signs such that each step (…, 4) is the shorter one."""
     q, xp = rotations._q, namespace(rotations._q)
     flips = xp.any(quaternions.canonical(steps) != steps, axis=-1)
     odd = xp.cumulative_sum(xp.astype(flips, xp.int64), axis=0) % 2 == 1
@@ -221,7 +221,7 @@ def _continuous(rotations: Rotation, steps: Array) -> Rotation:
 
 @quiet
 def _ends(times: Array, turns: Array, sizes: Array) -> tuple[Array, Array]:
-    """What the velocities at the ends of intervals, and at their starts, would turn in them (n − 1, …, 3).
+    """The rotation vectors of the velocities at the ends and at the starts of intervals (n − 1, …, 3).
 
     Where intervals h₀ and h₁ with turns p and s meet the velocity is ``x·p/h₀ + y·s/h₁``, x + y = 1. That
     of a parabola has x : y = h₁ : h₀. No logarithm goes round as long as ``x·(|s| + |p|·h₁/h₀) ≤ 2π − |s|``

@@ -58,7 +58,7 @@ def _crossed(a: Array, b: Array) -> Array:
 
 
 def refined(values: Values, times: Array, frame: str, tolerance: float) -> tuple[Array, list[int]]:
-    """Return times with more between them, and the places of those given, so that errors stay small.
+    """Return refined times, and the indices of the given ones, so that errors stay small.
 
     A piece of an interval is halved where the two rules disagree, until the sum of all differences, which
     bounds the error, is below the tolerance.
@@ -117,7 +117,7 @@ def _differences(
 
 
 def _at(times: Array, row: Array, share: Array) -> Array:
-    """The times that lie so far in the intervals; 0 is their beginning itself."""
+    """The times at a fraction of the intervals; 0 is their beginning."""
     xp = namespace(times)
     begin, end = (xp.take(times, xp.asarray(n.tolist())) for n in (row, row + 1))
     found: Array = begin + (end - begin) * xp.asarray(share.tolist(), dtype=times.dtype)

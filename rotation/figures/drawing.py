@@ -1,4 +1,4 @@
-"""What a figure is, and the style that all of them share."""
+"""The class of figures, and their common style."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ def letter_mirrored(figure: Figure) -> None:
 
 
 def _images(ax: Axes, matrices: Matrices) -> None:
-    """Draw the images: filled and firm where the area is that of the T, thin and dashed elsewhere."""
+    """Draw the images: filled and solid where the area is that of the T, thin and dashed elsewhere."""
     _square(ax, 19, 0.7)
     m = matrices(ANGLES[:10], degrees=True)
     images = transform(m[:, None], LETTER_T)

@@ -1,4 +1,4 @@
-"""Figures 2.1 and 2.2: one point in two coordinate systems, and what a rotation does to it."""
+"""Figures 2.1 and 2.2: one point in two coordinate systems, and its image under a rotation."""
 
 from __future__ import annotations
 

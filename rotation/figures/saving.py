@@ -30,7 +30,7 @@ def picture(
     words: Mapping[str, str] | None = None,
     dark: bool = False,
 ) -> bytes:
-    """Return what ``draw`` draws on ``size`` inches as a file's bytes; they depend on no date or settings.
+    """Return the drawing of ``draw`` on ``size`` inches as bytes, independent of date and settings.
 
     ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone; ``words`` replace lettering;
     ``dark`` pictures are for dark pages.
@@ -74,7 +74,7 @@ def save(
 
 
 def try_folder(directory: Path) -> None:
-    """Make a directory where it is missing and try to write there.
+    """Create a directory if it is missing, and check that it is writable.
 
     Raises :class:`~hfield.cli.output.OutputError`.
     """

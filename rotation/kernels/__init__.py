@@ -41,13 +41,13 @@ def one(points: Array, matrix: Array, out: Array) -> None:
 
 
 def axis_angle(points: Array, axis: Array, angle: Array, out: Array, degrees: bool = False) -> bool:
-    """Rotate points about their own axes by their own angles; tell whether an axis was zero."""
+    """Rotate points about their own axes by their own angles; return whether an axis was zero."""
     name = ("axis_angle", degrees, out.dtype == np.float32)
     return _run(name, HEAVY, points, axis, angle[..., None], out=out)
 
 
 def quaternions(points: Array, q: Array, out: Array) -> bool:
-    """Rotate points by their own quaternions of any length; tell whether one was zero."""
+    """Rotate points by their own quaternions of any length; return whether one was zero."""
     return _run(("quaternions", out.dtype == np.float32), HEAVY, points, q, out=out)
 
 
@@ -67,7 +67,7 @@ def euler(
 
 
 def contains_zero(array: Array) -> bool:
-    """Tell whether a row has all its components zero."""
+    """Return whether a row has all its components zero."""
     return _run(("contains_zero",), LIGHT, array)
 
 

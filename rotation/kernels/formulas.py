@@ -1,4 +1,4 @@
-"""The formulas of the kernels: the fast form of each, on eight points at once, and the careful one.
+"""The formulas of the kernels: a fast form for eight points at once, and a careful one for extreme values.
 
 The fast form also says where it is right: not for a far angle, nor where the square of a length times a
 coordinate might leave the range of floats. The careful form is that of few points.
@@ -48,7 +48,7 @@ class Kernel(NamedTuple):
 
 
 def _safe(square: Array) -> Array:
-    """Tell whether a squared length can be used as it is; NaN cannot."""
+    """Return whether a squared length can be used as it is; NaN cannot."""
     return (square >= SMALL) & (square <= LARGE)
 
 
@@ -67,7 +67,7 @@ def _plus(c: Operand, a: Array, b: Operand) -> Array:
 
 
 def _reachable(x: Array) -> Array:
-    """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
+    """Return whether the fast form is valid for ``x``; it is not for NaN and inf."""
     return XP.abs(x) <= REACH
 
 
@@ -146,7 +146,7 @@ def matrix_about(axis: Coordinates, sine: Array, cosine: Array, single: bool = F
 
 
 def _excess(axis: Coordinates) -> Array:
-    """Return N(u) − 1, which is small; from −½ and −½ on, since small numbers are rounded by little."""
+    """Return the small number N(u) − 1, summed from −½ and −½ for small rounding errors."""
     x, y, z = axis
     return _plus(_plus(_plus(-0.5, x, x), y, y) - 0.5, z, z)
 
@@ -162,7 +162,7 @@ def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordin
 
 
 def _axis_angle_by_quaternion(degrees: bool, points: Array, axis: Array, angle: Array) -> Image:
-    """Return the same by quaternions, whose coordinates are rounded once, without fused multiply-add."""
+    """Return the same by quaternions with coordinates rounded once, without fused multiply-add."""
     a, point, half = split(axis), split(points), 0.5 * angle[...]
     poison, fine = _measured(point)
     XP.round_all(points[...])
@@ -223,7 +223,7 @@ def matrix_of(q: Coordinates, single: bool = False) -> tuple[Matrix, Array]:
 
 
 def _twice_inverse_norm(q: Coordinates) -> tuple[Array, Array, Array]:
-    """Return N(q), t = 2/N(q), both rounded, and what to add to t for what was cut off from both."""
+    """Return N(q) and t = 2/N(q), both rounded, and a correction of t for both roundings."""
     w, x, y, z = q
     square, low = two_product(XP, z, z)
     for c in (y, x, w):

@@ -64,7 +64,7 @@ def cumulative(q: Array) -> Array:
 
 
 def run(name: Name, read: tuple[Array, ...], out: Array | None) -> bool:
-    """Do what the kernel ``name`` does with these operands, and answer as it does."""
+    """Apply the numpy twin of the kernel ``name`` to operands; return the same flag."""
     if out is None:
         return _contains_zero(read[0])
     v, *parameters = (a.astype(np.float64) for a in read)

@@ -1,4 +1,4 @@
-"""How the compiled kernels run through arrays of any shape and stride: along two axes of constant stride."""
+"""Iterate compiled kernels over arrays of any shape and stride, along two axes of constant stride."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -9,7 +9,7 @@ MIN_INNER_AXIS = 64  # an inner axis shorter than this is exchanged with a longe
 
 
 class BatchAxes(NamedTuple):
-    """The axes of a batch as ``outer × inner``, and how many bytes each array has from place to place."""
+    """The axes of a batch as ``outer × inner``, with the strides of each array in bytes."""
 
     outer: int
     inner: int

@@ -39,7 +39,7 @@ def untempered(word: int) -> int:
 
 
 def is_made_of_words(seed: int) -> bool:
-    """Tell whether the first number for a seed is made of its first two words as described."""
+    """Return whether the first number for a seed is made of its first two words as described."""
     words = Random(seed)
     a, b = words.getrandbits(32) >> 5, words.getrandbits(32) >> 6
     return Random(seed).random() == (a * 2**26 + b) / 2**53

@@ -30,7 +30,7 @@ class Less:
 
     @property
     def text(self) -> str:
-        """The inequality, in words if there are any."""
+        """The inequality, in words if they are given."""
         return self.words or f"{self.left} < {self.right}"
 
     @property
@@ -44,7 +44,7 @@ class Less:
         return f"({self.left}) - ({self.right})"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it over ℚ, which has to be the field. Raises CoercionError for another."""
+        """Decide the inequality over ℚ. Raises CoercionError for another field."""
         base = field or ring("QQ")
         left, right = (fraction(base(side)) for side in (self.left, self.right))
         sides = ((self.left, left), (self.right, right))

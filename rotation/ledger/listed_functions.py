@@ -1,4 +1,4 @@
-"""What the rows about programs have in common: they are about no field, and count functions."""
+"""The common part of claims on programs, which are about no field and count functions."""
 
 from hfield.ledger.claim import Computed, ComputedResult
 from rotation import thesis

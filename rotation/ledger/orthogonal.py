@@ -38,7 +38,7 @@ OTHER_SIGN = both(LINEAR, same(-det(shifted(A, -S)), S**3 - trace(A) * S**2 - MI
 
 
 def odd(power: Node) -> Node:
-    """Say it of λ and −λ, whose cube is ``power``."""
+    """The same claim for λ and −λ, whose cube is ``power``."""
     return both(CHARACTERISTIC, same(-det(shifted(A, S)), cubic(-S, power)))
 
 

@@ -15,7 +15,7 @@ def mean(times: Times) -> str:
 
 
 def ratio(slow: Times, fast: Times) -> str:
-    """Return how many times as long one takes as the other, by their means."""
+    """Return the ratio of two mean times."""
     return f"({mean(slow)})/({mean(fast)})"
 
 

@@ -1,4 +1,4 @@
-"""Section 2.1.2: orthogonal matrices of determinant −1, and what the thesis takes for them."""
+"""Section 2.1.2: orthogonal matrices of determinant −1, and the matrices in the thesis."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""What the functions of the second test of 3.2 do to a point, found by running them on terms.
+"""The functions of the second test of 3.2, evaluated on symbolic points.
 
 The test turns every point about its own direction, and by the Euler angle that has its coordinates.
 """

@@ -1,4 +1,4 @@
-"""Running the thesis's own functions on terms: what they return becomes a formula to be proved.
+"""Run the thesis's functions on terms, which turns their results into formulas to prove.
 
 A function of :mod:`rotation.thesis` that is handed terms of the statement language in the place of floats
 returns terms. So the ledger proves the code that runs, not a formula typed in beside it.

@@ -1,4 +1,4 @@
-"""A formula as a builtin function of Python: its trace is put into a loop over rows, compiled by LLVM.
+"""Compile the trace of a formula, in a loop over rows, to a builtin function of Python by LLVM.
 
 The function is one as those of extensions in C are: it reads the addresses and the lengths of numpy's arrays
 from their headers, whose layout numpy's ABI fixes, has numpy make the result, and puts that into an object.
@@ -51,7 +51,7 @@ _Known: Any = ctypes.py_object * 6
 
 
 class _Method(ctypes.Structure):
-    """CPython's PyMethodDef, and behind it what an `Entry` knows."""
+    """CPython's PyMethodDef, followed by the data of an `Entry`."""
 
     _fields_ = (
         ("name", ctypes.c_char_p),
@@ -64,7 +64,7 @@ class _Method(ctypes.Structure):
 
 @cache
 def available() -> bool:
-    """Tell whether this interpreter and its numpy are such as the machine code expects."""
+    """Return whether this interpreter and its numpy have the layout that the machine code expects."""
     if sys.implementation.name != "cpython" or sys.maxsize < 2**62:
         return False
     if not machine_code.available():
@@ -89,14 +89,14 @@ def available() -> bool:
 
 
 def _place(slot: object) -> int:
-    """Return how many bytes into an object a slot of its class lies, by its descriptor."""
+    """Return the offset in bytes of a slot in an object, by its descriptor."""
     described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
     return int(ctypes.c_ssize_t.from_address(described + 16).value)
 
 
 @cache
 def register_symbols() -> None:
-    """Make the functions of the system and of Python known to programs; the caller holds the lock."""
+    """Register functions of the system and of Python for compiled programs; the caller holds the lock."""
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in LIBRARY:
         machine_code.register_symbols(f"rotation_{name}", _address(getattr(system, name)))
@@ -253,7 +253,7 @@ def _rearranged(program: RowFunction, rows: _Parted, names: list[str]) -> str | 
 def _ask_ahead(
     program: RowFunction, start: str, size: int, blocks: int, writing: bool = False
 ) -> None:
-    """Ask for the memory of eight rows of that many bytes, some blocks of eight ahead."""
+    """Prefetch the memory of eight rows of that many bytes, some blocks of eight ahead."""
     lines = -(-size * WIDTH // 64)
     for line in range(lines):
         program.ahead(program.at("[64 x i8]", start, blocks * lines + line), writing)
@@ -268,7 +268,7 @@ def _shape(values: Values) -> Shape:
 
 
 def _store(program: RowFunction, names: list[str], word: str) -> None:
-    """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
+    """Emit the stores of columns as rows: blocks of eight, then the rest."""
     width, size, kind = len(names), BYTES[word], vector(word, WIDTH)
     whole = width - width % WIDTH if width >= WIDTH else 0
     if not whole:

@@ -1,4 +1,4 @@
-"""Sine, cosine and the angle of a point for eight rows at once, within an ulp for all floats, and as pairs.
+"""Sine, cosine and arctangent for eight rows at once, within one ulp, and as pairs.
 
 Written against a namespace of symbols, as formulas are. Nothing branches but where the usual way is not
 right: for angles beyond `REACH` or nearer to a multiple of π/2 than its digits here tell, points near the
@@ -173,7 +173,7 @@ def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> Pair
 
 
 def _sum(xp: SymbolNamespace, coefficients: Sequence[Operand], z: Array) -> Operand:
-    """Return ``Σ coefficients[k]·zᵏ`` by Estrin's scheme: pairs first, so that few steps wait for others."""
+    """Return ``Σ coefficients[k]·zᵏ`` by Estrin's scheme, which has few dependent steps."""
     if len(coefficients) == 1:
         return coefficients[0]
     pairs = zip_longest(coefficients[::2], coefficients[1::2])

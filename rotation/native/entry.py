@@ -24,7 +24,7 @@ Shape = tuple[int, ...]
 
 
 class Entry(Code):
-    """The builtin: it looks at the arrays, has one made for the values, and puts that where it is to be."""
+    """The builtin function: it checks the arrays, allocates the result and fills it."""
 
     def __init__(
         self, shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...], slot: int
@@ -70,7 +70,7 @@ class Entry(Code):
         return self.value(f"icmp eq ptr {self.load('ptr', self.at('i8', thing, KIND))}, {kind}")
 
     def header(self, array: str, word: str) -> tuple[str, str, str]:
-        """Return how many axes there are, where their lengths lie, and whether all is such as it is read."""
+        """Return the number of axes, the address of their lengths, and whether the array is readable."""
         axes = self.value(f"sext i32 {self.load('i32', self.at('i8', array, NDIM))} to i64")
         bits = self.value(f"and i32 {self.load('i32', self.at('i8', array, FLAGS))}, {USABLE}")
         dtype = self.load("ptr", self.at("i8", array, DTYPE))
@@ -81,7 +81,7 @@ class Entry(Code):
     def arguments(
         self, given: list[str], shapes: list[Shape], words: tuple[str, ...]
     ) -> tuple[list[str], list[str], list[str]]:
-        """Return where the numbers lie, how many axes of a batch there are, and where the lengths lie."""
+        """Return the address of the data, the number of batch axes, and the address of their lengths."""
         v, arrays, floats, right = self.value, list(given), dict[int, str](), list[str]()
         for n, thing in enumerate(given):
             readable = self.is_a(thing, self.ndarray)
@@ -130,7 +130,7 @@ class Entry(Code):
         return ones, self.once(f"call i64 @product(ptr {start}, i64 {batch})"), batch, start
 
     def new(self, total: str, batch: str, start: str) -> str:
-        """Return a new array for the values, unless it has too many numbers or axes."""
+        """Return a new array for the result, unless it has too many entries or axes."""
         v = self.value
         self.require(
             v(f"icmp sle i64 {total}, {MUCH}"),
@@ -173,7 +173,7 @@ class Entry(Code):
 
 
 def product() -> Code:
-    """Write the function that multiplies lengths: how many rows there are, or numbers."""
+    """Emit the function that multiplies lengths, for numbers of rows and of entries."""
     code = Code("internal i64 @product(ptr %lengths, i64 %count)")
 
     def length(i: str, size: str) -> list[str]:
@@ -185,7 +185,7 @@ def product() -> Code:
 
 
 def alike() -> Code:
-    """Write the function that tells whether lengths are the same."""
+    """Emit the function that compares lengths."""
     code = Code("internal i1 @alike(ptr %a, ptr %b, i64 %count)")
 
     def length(i: str, same: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""Sums and products of floats with what rounding cut off, exactly: pairs (high, low).
+"""Exact sums and products of floats as pairs (high, low).
 
 T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
 (1971). Only + − × are used, so they run on every array library; a fused multiply-add is taken where there

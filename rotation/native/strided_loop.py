@@ -1,4 +1,4 @@
-"""The walk of a formula over many points that lie in memory anyhow, in blocks that threads share.
+"""Loop of a formula over points at any strides, in blocks shared by threads.
 
 It is not the loop of `builtins`, since points come in any strides and either precision, and are turned
 where they lie. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are
@@ -38,7 +38,7 @@ def _symbols_of(fast: Fast, rows: Sequence[Rows]) -> tuple[tuple[Lanes, ...], La
 
 
 class RowLayout(Enum):
-    """How the rows of an operand lie in memory."""
+    """The memory layout of the rows of an operand."""
 
     SIDE_BY_SIDE = "one after the other, their components side by side"
     COLUMNS = "each component in a column"
@@ -47,7 +47,7 @@ class RowLayout(Enum):
 
 
 class OperandLayout(NamedTuple):
-    """What a program knows of an array beforehand: components, LLVM's word for its numbers, and the way."""
+    """The static description of an array: number of components, LLVM's type of its entries, and layout."""
 
     width: int
     number: str
@@ -73,7 +73,7 @@ def strided_loop(
     results: int,
     number: str,
 ) -> str:
-    """Write the function ``entry(counter, table)``: it takes blocks from the counter until none is left.
+    """Emit the function ``entry(counter, table)``, which takes blocks from the counter until none is left.
 
     The table is of 64-bit integers: the outer and the inner length of the batch, then for each operand its
     address and its strides in bytes, between components, along the outer and along the inner axis.
@@ -98,7 +98,7 @@ def strided_loop(
 
 
 def _given(operands: Sequence[object]) -> str:
-    """Write what the functions below take of each operand: an address, and bytes between components."""
+    """Emit the parameters of each operand: an address, and the stride between components in bytes."""
     return "".join(f", ptr %p{n}, i64 %c{n}" for n in range(len(operands)))
 
 
@@ -287,7 +287,7 @@ def _copied(code: Code, operand: OperandLayout, to: str, source: str, rows: str,
 
 
 def _columns(program: RowFunction, n: int, operand: OperandLayout) -> list[str]:
-    """Add what the loop needs of an operand before it begins: its columns, or its one row spread out."""
+    """Emit the preparation of an operand before the loop: its columns, or its single row broadcast."""
     if operand.way is RowLayout.SIDE_BY_SIDE:
         return [f"%p{n}"]
     found = [
@@ -335,7 +335,7 @@ def _ahead(
     rows: int,
     writing: bool,
 ) -> None:
-    """Ask for the memory of eight rows to come."""
+    """Prefetch the memory of eight later rows."""
     step = operand.step
     first = program.value(f"mul i64 {program.value(f'add i64 {i}, {rows}')}, {step}")
     for column in columns:
@@ -352,7 +352,7 @@ def _ordered(program: RowFunction, kind: str, column: str, order: tuple[int, ...
 def _parted(
     program: RowFunction, operand: OperandLayout, base: str, i: str, order: tuple[int, ...]
 ) -> list[str]:
-    """Add the reading of rows whose components lie side by side, and their parting into columns."""
+    """Emit the loads of rows with adjacent components, and their separation into columns."""
     n, number = operand.width, operand.number
     kind = vector(number, WIDTH)
     start = program.at(number, base, program.value(f"mul i64 {i}, {n}"))
@@ -388,7 +388,7 @@ def _column(program: RowFunction, kind: str, parts: list[str], k: int) -> str:
 
 
 def _selected(program: RowFunction, kind: str, three: Sequence[str], k: int) -> str:
-    """Return at each place p what one of three vectors has there: the (p − k)-th modulo 3.
+    """Return the vector whose lane p is that of the ((p − k) mod 3)-th of three vectors.
 
     Of components side by side the k-th lies at the places p of the part p − k; the part k has at p the
     component p − k.
@@ -431,7 +431,7 @@ def _write(
 
 
 def _converted(program: RowFunction, name: str, number: str, wanted: str) -> str:
-    """Add the conversion of eight numbers to another precision, where it is another."""
+    """Emit the conversion of eight numbers to another precision, if it differs."""
     if number == wanted:
         return name
     how = "fpext" if wanted == "double" else "fptrunc"

@@ -58,7 +58,7 @@ class RowFunction(Code):
     def rarely(
         self, condition: str, compute: Callable[[], Iterable["Lanes"]], usual: Iterable["Lanes"]
     ) -> "tuple[Lanes, ...]":
-        """Write what is computed where a condition holds in a row at least, else the usual."""
+        """Emit a branch that is computed if the condition holds in at least one row."""
         before, self.conditions = self.conditions, []
 
         def computed() -> list[tuple[str, str, str]]:
@@ -85,7 +85,7 @@ class Lanes:
 
     @property
     def kind(self) -> str:
-        """LLVM's word for what this is."""
+        """LLVM's type of the value."""
         return self.program.kind
 
     def _with(self, operation: str, other: "Lanes | float", swapped: bool = False) -> "Lanes":
@@ -164,13 +164,13 @@ class Lanes:
 
 
 class LaneMask(Lanes):
-    """What holds or does not in each of eight rows."""
+    """A condition in each of eight rows."""
 
     __slots__ = ()
 
     @property
     def kind(self) -> str:
-        """LLVM's word for what this is."""
+        """LLVM's type of the value."""
         return self.program.bits
 
     def _bits(self, operation: str, other: str) -> "LaneMask":
@@ -192,7 +192,7 @@ Index = EllipsisType | tuple[EllipsisType, int] | tuple[EllipsisType, int, int]
 
 
 class Rows:
-    """Eight rows of an array: what a formula takes for its argument, with the type they are stored in."""
+    """Eight rows of an array as the argument of a formula, with their stored type."""
 
     def __init__(
         self, shape: tuple[int, ...], values: list[Lanes], dtype: np.dtype[np.floating] = float64
@@ -211,7 +211,7 @@ class Rows:
 
 
 def intrinsic(name: str, *values: "Lanes | float") -> Lanes:
-    """Call a function that LLVM has for all rows at once."""
+    """Call an LLVM intrinsic for all rows."""
     program = _program(*values)
     called = f"llvm.{name}.v{program.width}{_WORDS[program.number]}"
     arguments = ((program.kind, program.name_of(v)) for v in values)

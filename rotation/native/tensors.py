@@ -1,4 +1,4 @@
-"""Tensors of torch as numpy's arrays, where nobody but us would see the difference.
+"""Read tensors of torch as numpy arrays, where gradients and devices are not concerned.
 
 In a processor's own memory a formula that is compiled takes a tenth of the time of the same formula in steps
 of torch. It can take a tensor that no derivative goes through and that nothing is tracing or mapping.
@@ -24,7 +24,7 @@ class Tensor(Protocol):
         """Return the same numbers without derivatives."""
 
     def is_conj(self) -> bool:
-        """Tell whether the tensor stands for the conjugates of its numbers."""
+        """Return whether the tensor stands for the conjugates of its numbers."""
 
     def numpy(self) -> Array:
         """Return an array on the same memory."""
@@ -37,7 +37,7 @@ class Device(Protocol):
 
 
 def readable(arrays: Sequence[Tensor] | Sequence[Array]) -> TypeGuard[tuple[Tensor, ...]]:
-    """Tell whether these are plain tensors of one float type in memory that numpy reads, and nothing else."""
+    """Return whether all are plain tensors of one float type in memory that numpy reads."""
     torch = sys.modules.get("torch")
     if torch is None or any(type(a) is not torch.Tensor for a in arrays):
         return False

@@ -1,4 +1,4 @@
-"""A namespace whose arrays are symbols: run on them, a formula leaves behind its own program for LLVM.
+"""A namespace of symbolic arrays that records a formula as a program for LLVM.
 
 The functions here, as the operators of `symbols`, add their lines to the program of their arguments. Where a
 formula asks for `fma`, a product and a sum are rounded at once. Conditions select; only what is `rarely`

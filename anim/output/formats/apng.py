@@ -5,7 +5,7 @@ from anim.output.format import Film
 
 
 class Apng(Encoded):
-    """Every pixel as it was drawn."""
+    """Animated PNG: lossless."""
 
     def options(self, film: Film) -> list[str]:
         """Return ffmpeg's options; it plays for ever."""

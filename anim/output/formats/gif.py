@@ -17,7 +17,7 @@ class Gif(Encoded):
     """One palette for the whole film, from frames all over it."""
 
     def check(self, film: Film) -> None:
-        """Refuse a pace that browsers do not keep."""
+        """Raise :class:`AnimationError` for a frame rate that browsers do not keep."""
         if film.fps > FASTEST_FPS:
             raise AnimationError(
                 f"a gif shows at most {FASTEST_FPS:g} frames a second, not {film.fps:g}; "

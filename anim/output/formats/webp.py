@@ -8,12 +8,12 @@ LARGEST_SIDE = 16_383
 
 
 class WebP(Encoded):
-    """Lossy pictures, which play for ever."""
+    """Animated WebP: lossy, repeated without end."""
 
     counts_frames = False
 
     def check(self, film: Film) -> None:
-        """Refuse pictures that are too wide or high."""
+        """Raise :class:`AnimationError` for pictures that are too wide or too high."""
         if max(film.size) > LARGEST_SIDE:
             raise AnimationError(f"webp is at most {LARGEST_SIDE} pixels wide and high")
         super().check(film)

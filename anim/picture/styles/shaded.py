@@ -183,7 +183,7 @@ def _encoding() -> Pixels:
 
 
 class Shaded(Style):
-    """Lit cones on a lit ground; on dark paper a pool of light, and a rim that shows where they end."""
+    """Lit cones on a lit ground; on dark paper a pool of light and a bright rim."""
 
     def paper_of(self, settings: RenderSettings) -> RGB:
         """Return the background of the settings, or the paper of the environment."""

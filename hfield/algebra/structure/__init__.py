@@ -1,4 +1,4 @@
-"""What an algebra and its elements are: functions of a ring, of constants (a, t, b) and of coordinates.
+"""Properties of algebras and elements, as functions of the ring, the constants (a, t, b) and coordinates.
 
 The classes of algebras and elements call these functions. ``docs/reference/structure.md`` says which module
 decides what.

@@ -25,7 +25,7 @@ def _vector(q: Sequence[Fraction | int]) -> Vector:
 
 
 def is_hurwitz(q: Sequence[Fraction | int]) -> bool:
-    """Tell whether all coordinates are integers, or all are halves of odd integers."""
+    """Return whether all coordinates are integers, or all are halves of odd integers."""
     doubled = [2 * fraction(x) for x in q]
     return all(x.denominator == 1 for x in doubled) and len({int(x) % 2 for x in doubled}) == 1
 

@@ -37,7 +37,7 @@ def evaluator_at(
 def truth_at(
     ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
 ) -> bool | None:
-    """Tell whether the statement is true there; None where the algebra does not exist."""
+    """Return whether the statement is true there; None where the algebra does not exist."""
     spend(COST)
     evaluator = evaluator_at(ring, setting, statement, values)
     return None if evaluator.conditions else bool(evaluator.truth(statement.matrix))
@@ -73,7 +73,7 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
 
 
 def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
-    """Check that for all values given there are values of what ``exists`` binds."""
+    """Check that for all given values there are values of the variables of ``exists``."""
     ring, order = _finite(setting)
     if cases != order ** coordinates(statement.given):
         reject("the number of cases is wrong")
@@ -101,7 +101,7 @@ def _finite(setting: Setting) -> tuple[Ring, int]:
 
 
 def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[str, Hashable]]:
-    """Run through all values of the unknowns."""
+    """Yield all values of the unknowns."""
     elements = list(ring.elements())
     for values in product(elements, repeat=coordinates(unknowns)):
         rest, out = iter(values), {}
@@ -111,7 +111,7 @@ def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[s
 
 
 class _Tree:
-    """All values of one coordinate after the other, as long as a clause is not settled."""
+    """A search tree over the values of the coordinates, pruned where all clauses are decided."""
 
     def __init__(self, expansion: Expansion, ring: Ring) -> None:
         self.ring = ring
@@ -148,7 +148,7 @@ class _Tree:
             self._try(depth + 1, rest)
 
     def _settled(self, case: Case) -> bool:
-        """Tell whether a clause is true whatever the other coordinates are."""
+        """Return whether a clause is true whatever the other coordinates are."""
         zeros, goals = case
         return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 

@@ -22,7 +22,7 @@ MAX_CASES = 64
 
 
 def terms(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show existence by terms: the statement with them put in is true for all values given."""
+    """Show existence by terms: the statement with these terms is true for all given values."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
     return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
@@ -81,14 +81,14 @@ def _reach(setting: Setting) -> str:
 
 
 def _is_monotone(tree: Tree) -> bool:
-    """Tell whether a statement is made of comparisons by "and" and "or" alone."""
+    """Return whether a statement is built from comparisons by "and" and "or" only."""
     return tree[0] in ("==", "!=") or (
         tree[0] in ("and", "or") and _is_monotone(tree[1]) and _is_monotone(tree[2])
     )
 
 
 def none_exists(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Refute existence: for no values is it true. All other unknowns must have got values."""
+    """Refute existence: the statement is true for no values. All other unknowns must have values."""
     here, data = _somewhere(statement, setting, evidence, "kind proof")
     if statement.given:
         reject("nothing is said about the unknowns that are given")

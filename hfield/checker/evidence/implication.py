@@ -38,7 +38,7 @@ def check_implication(
 
 
 def _everywhere(expansion: Expansion, items: list[VerifiedItem]) -> str:
-    """Cover the clauses over all fields, and again in each characteristic that was divided by."""
+    """Prove the clauses over all fields, and separately in each characteristic that was divided by."""
     general = [item for item in items if item.p == 0]
     _cover(expansion, EvaluationContext(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
@@ -70,7 +70,7 @@ def _cover(expansion: Expansion, context: EvaluationContext, items: list[Verifie
 def _covers(
     clause: Clause, expansion: Expansion, context: EvaluationContext, items: list[VerifiedItem]
 ) -> bool:
-    """Tell whether verified items prove the clause."""
+    """Return whether verified items prove the clause."""
     # Where a factor of the denominators is 0, the clause is true: so it may be divided by.
     single = {f for goal in clause.goals if len(goal) == 1 for f in goal}
     known = [f for f in expansion.factors if freeze(f) in single]

@@ -15,7 +15,7 @@ Top = tuple[int, bool]  # at most this degree; whether exactly, by a single mono
 
 
 def quaternion_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show ``exists q: f == g`` over RR for one quaternion q, for all values of what is given."""
+    """Show ``exists q: f == g`` over RR for one quaternion q, for all values of the given unknowns."""
     an_object(evidence, "kind", "the evidence")
     if setting.field is None or setting.field.name != "RR" or setting.constants != HAMILTON:
         reject("polynomials in a quaternion have roots over RR, in (-1,-1|RR)")
@@ -32,7 +32,7 @@ def quaternion_root(statement: Statement, setting: Setting, evidence: object) ->
 
 
 def _top(tree: Tree, name: str) -> Top:
-    """Return what stands at the top of a polynomial in the name."""
+    """Return the leading part of a polynomial in the name."""
     if ("name", name) not in walk(tree):
         return 0, _is_not_zero(tree)
     kind = tree[0]
@@ -57,7 +57,7 @@ def _sum(left: Top, right: Top) -> Top:
 
 
 def _is_not_zero(tree: Tree) -> bool:
-    """Tell whether a term is certainly not 0: a product of numbers and of e, i, j, k."""
+    """Return whether a term is certainly not 0: a product of numbers and of e, i, j, k."""
     if tree[0] == "num":
         return bool(tree[1] != 0)
     if tree[0] == "name":

@@ -24,7 +24,7 @@ MAX_DEGREE = 1_000
 
 
 def real_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show ``exists s: f == g`` over RR, for all values of what is given."""
+    """Show ``exists s: f == g`` over RR, for all values of the given unknowns."""
     by = evidence.get("by") if isinstance(evidence, dict) else None
     own = "between" if by == "sign change" else ""
     data = an_object(evidence, f"kind by {own}", "the evidence")

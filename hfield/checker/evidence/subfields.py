@@ -45,7 +45,7 @@ def subfield(
 
 
 def _lift(r: Fraction, f: list[Fraction], p: int) -> None:
-    """Let a root of f lie near r."""
+    """Show that f has a root near r."""
     if any(c.denominator % p == 0 for c in (r, *f)):
         reject(f"Hensel's lemma asks for numbers without {p} in a denominator")
     slope = _value([n * c for n, c in enumerate(f)][1:], r)

@@ -12,7 +12,7 @@ from hfield.checker.statement import Setting, Statement
 
 
 def fractions(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """What nothing divides in, and holds for all of the field of fractions, holds for the ring in it."""
+    """A statement without division that holds over the field of fractions holds over the ring."""
     data = an_object(evidence, "kind ring proof", "the evidence")
     field = read_ring(data["ring"])
     if statement.divides or setting.field is None or not field.is_fraction_field_of(setting.field):

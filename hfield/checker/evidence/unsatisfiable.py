@@ -18,7 +18,7 @@ def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> C
 
 
 def need_hypotheses(statement: Statement, setting: Setting) -> None:
-    """Reject as proved what expanding shows to be vacuous."""
+    """Reject ``proved`` where expanding shows that the statement is vacuous."""
     if not statement.hypotheses:
         return
     try:

@@ -35,7 +35,7 @@ def counterexample(statement: Statement, setting: Setting, evidence: object) -> 
 
 
 def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bool:
-    """Tell whether the evidence gives real values of the unknowns that define moduli and comparisons."""
+    """Return whether the evidence gives real values of the unknowns that define moduli and comparisons."""
     if setting.field is None or setting.field.name != REALS.name:
         return False
     values = evidence.get("values") if isinstance(evidence, dict) else None
@@ -59,14 +59,14 @@ def refute_with_order(statement: Statement, setting: Setting, evidence: object) 
 
 
 def _refuted(tree: Tree, infinite: bool) -> str:
-    """Name the method of a refutation by what is refuted: an identity, or that equations have no solution."""
+    """Return the name of the method: the refutation of an identity, or of unsolvable equations."""
     if _is_identity(tree, True, infinite):
         return IDENTITY
     return WITNESS if _is_identity(tree, False, infinite) else COUNTEREXAMPLE
 
 
 def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
-    """Tell whether what is said (or denied) is an identity: equations, joined by "and".
+    """Return whether the statement (or its negation) is an identity: equations, joined by "and".
 
     Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
     """

@@ -1,1 +1,1 @@
-"""Integers, prime ideals, units and classes of number fields: what certificates say of them, checked."""
+"""Check certificates about integers, prime ideals, units and class groups of number fields."""

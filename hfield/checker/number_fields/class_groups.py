@@ -56,7 +56,7 @@ def class_group(
 def unit_group(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """There are so many roots of unity, and with them these units generate all."""
+    """Check the number of roots of unity, and that these units generate the group with them."""
     _expect_proved(verdict)
     shown = SUnits(field_of(setting), evidence)
     assert setting.field is not None
@@ -73,7 +73,7 @@ def _expect_proved(verdict: str) -> None:
 
 
 class SUnits:
-    """The S-units that evidence gives, seen to be all."""
+    """The S-units of the evidence, checked to generate all."""
 
     KEYS = "kind basis primes S reductions generators torsion saturated"
 
@@ -232,7 +232,7 @@ class SUnits:
         return q, r
 
     def _need_saturated(self, value: object) -> None:
-        """Reject unless no prime divides the index of what the generators span in all S-units.
+        """Reject unless the given S-units generate all S-units: no prime divides the index.
 
         The index is h'/h times that of units, h' the order of ℤ^S modulo the exponents of the generators.
         """

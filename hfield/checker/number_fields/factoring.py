@@ -9,7 +9,9 @@ MAX_BITS = 4096
 
 
 def factored(n: int) -> dict[int, int]:
-    """Return the primes of a positive integer and their exponents. Rejects what trial division leaves."""
+    """Return the primes of a positive integer and their exponents. Rejects where trial division is not
+    enough.
+    """
     found: dict[int, int] = {}
     if n.bit_length() > MAX_BITS:
         reject("a discriminant is too large to be factored here")

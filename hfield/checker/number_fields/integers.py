@@ -36,7 +36,7 @@ MAX_DEGREE = 12
 
 
 class RingOfIntegers:
-    """The span over ℤ of some elements, seen to be the ring of all integers of the field."""
+    """The span over ℤ of some elements, checked to be the ring of integers of the field."""
 
     def __init__(self, field: NumberField, rows: list[list[Fraction]]) -> None:
         self.field, self.n = field, field.degree
@@ -147,7 +147,7 @@ class RingOfIntegers:
         )
 
     def _is_maximal_at(self, p: int) -> bool:
-        """Tell whether only elements of O map what is nilpotent modulo p into itself (Pohst, Zassenhaus)."""
+        """Return whether O is the multiplier ring of its p-radical (criterion of Pohst and Zassenhaus)."""
         n, nilpotent = self.n, self.radical(p)
         pivots = {pivot(row) for row in nilpotent}
         basis = [*nilpotent, *(unit(n, k, p) for k in range(n) if k not in pivots)]
@@ -266,7 +266,7 @@ class Factors:
         return [self.primes[k] for k in self.above[p]]
 
     def exponents(self, x: Sequence[Fraction]) -> dict[int, int]:
-        """Return the exponents of an element other than 0, all of whose primes have to be among these."""
+        """Return the exponents of a nonzero element, whose primes must all be among these."""
         den, row = self.integers.coordinates(x)
         if not any(row):
             reject("0 has no prime ideals")
@@ -328,7 +328,7 @@ RATIONAL_INTEGERS = RingOfIntegers(RATIONAL_FIELD, [[Fraction(1)]])
 
 
 class RationalPrimes:
-    """The prime ideals of ℤ, which need not be given."""
+    """The prime ideals of ℤ, which the evidence need not list."""
 
     def at(self, p: int) -> list[Prime]:
         """Return the ideal that a prime number generates."""

@@ -45,7 +45,7 @@ def normal(x: Any) -> Any:
 
 
 def is_one(x: Any) -> bool:
-    """Tell whether a positive integer or a monic polynomial is 1."""
+    """Return whether a positive integer or a monic polynomial is 1."""
     return bool(x == 1) if isinstance(x, int) else x.degree == 0
 
 

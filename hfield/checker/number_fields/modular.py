@@ -39,7 +39,7 @@ def kernel(rows: Sequence[Sequence[int]], p: int) -> list[Vector]:
 
 
 def remainder(row: Sequence[int], basis: Sequence[Vector], p: int) -> list[int]:
-    """Return what is left of a vector modulo a span in reduced echelon form."""
+    """Return the remainder of a vector modulo a span in reduced echelon form."""
     rest = [x % p for x in row]
     for b in basis:
         f = rest[pivot(b)]

@@ -58,7 +58,7 @@ class NarrowClasses:
         return x, e
 
     def is_principal(self, x: Element, e: Sequence[int]) -> bool:
-        """Tell whether x·∏P^e has a totally positive generator."""
+        """Return whether x·∏P^e has a totally positive generator."""
         rest = [*e, *self._signs(x)]
         spend(len(rest) ** 2)
         for n, row in enumerate(self._principal):
@@ -81,7 +81,7 @@ class NarrowClasses:
         return found
 
     def is_quotient(self, x: Element, e: Sequence[int], above: Key, below: Key) -> bool:
-        """Tell whether an ideal is x·∏P^e times another."""
+        """Return whether an ideal is x·∏P^e times another."""
         integers, primes = self.s.integers, [self.s.factors.primes[k] for k in self.s.S]
 
         def powers(sign: int) -> list[tuple[Prime, int]]:

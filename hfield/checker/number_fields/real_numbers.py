@@ -40,7 +40,7 @@ class RealPlace:
             n += 1
 
     def _refine(self) -> None:
-        """Compute bounds of the basis with twice as many bits."""
+        """Compute bounds of the basis with twice the precision."""
         bits = FIRST_BITS << len(self._bounds)
         self._root = self._root.within(Fraction(1, 1 << bits))
         values = map(self._root.bounds, self.integers.rows)

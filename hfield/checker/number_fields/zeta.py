@@ -70,7 +70,7 @@ def _sums(integers: RingOfIntegers, factors: Primes, most: int) -> list[int]:
 
 
 def _positive(integers: RingOfIntegers, row: tuple[int, ...]) -> bool:
-    """Tell whether all conjugates of an integer of a totally real field are positive (by Newton)."""
+    """Return whether all conjugates of an integer of a totally real field are positive (by Newton)."""
     n, power, sums = integers.n, row, []
     for _ in range(n):
         sums.append(integers.trace(power))

@@ -1,1 +1,1 @@
-"""Lattices, orders and ideals in quaternion algebras over ℚ: what certificates say of them, checked."""
+"""Check certificates about lattices, orders and ideals in quaternion algebras."""

@@ -79,7 +79,7 @@ def is_ideal(given: AnyGiven, parts: Parts) -> CheckResult:
 
 
 def has_units(given: Given, parts: Parts) -> CheckResult:
-    """Units modulo those of the field have a norm among the totally positive units modulo squares."""
+    """Check that a unit has the stated norm among the totally positive units modulo squares."""
     order = given.basis(given.order(parts[0]), given.data["order"])
     if sum(1 for u in given.units for _ in of_norm(order, u)) != int(parts[1]):
         reject("the order has another number of units modulo those of the field")
@@ -98,7 +98,7 @@ def has_unit_index(given: OverPolynomials, parts: Parts) -> CheckResult:
 
 
 def are_equivalent(given: AnyGiven, parts: Parts) -> CheckResult:
-    """J = I·c for the left side, c·I for the right."""
+    """Check an equivalence: J = I·c for the left side, c·I for the right."""
     side, c = a_side(parts[0]), given.element(given.data["element"])
     first, second = map(given.lattice, parts[1:])
     if first.times(c, "right" if side == "left" else "left").key != second.key:
@@ -107,7 +107,7 @@ def are_equivalent(given: AnyGiven, parts: Parts) -> CheckResult:
 
 
 def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
-    """No element that takes the one lattice into the other has the norm of a c, or none can have it."""
+    """Check that no element c carries one lattice onto the other: none has the norm, or none can have it."""
     side = a_side(parts[0])
     first, second = map(given.lattice, parts[1:])
     between = cache(partial(first.into, second, side))
@@ -128,7 +128,7 @@ def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
 
 
 def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckResult:
-    """No element that takes the one lattice into the other, with a norm of least degree, carries it there."""
+    """Check that no element with a norm of least degree carries one lattice onto the other."""
     side = a_side(parts[0])
     first, second = map(given.lattice, parts[1:])
     between = given.basis(first.into(second, side), given.data["between"])
@@ -140,7 +140,7 @@ def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckR
 
 
 def are_isomorphic(given: AnyGiven, parts: Parts) -> CheckResult:
-    """P = x·O·x⁻¹; a zero divisor x does not give lattices."""
+    """Check an isomorphism P = x·O·x⁻¹; x must not be a zero divisor."""
     first, second = map(given.order, parts)
     x = given.element(given.data["element"])
     if first.times(x, "left").key != second.times(x, "right").key:
@@ -149,7 +149,7 @@ def are_isomorphic(given: AnyGiven, parts: Parts) -> CheckResult:
 
 
 def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
-    """The orders have not one discriminant, or not as many elements of some trace and norm."""
+    """Check that two orders differ in discriminant, or in the number of elements of some trace and norm."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"trace", "norm", "bases"}):
         return CheckResult(FIELD, DISCRIMINANT)
@@ -167,7 +167,7 @@ def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
 
 
 def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
-    """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
+    """Check that there is no isomorphism: no images of two generators of the algebra fit."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"pair", "order"}):
         return CheckResult(FIELD, DISCRIMINANT)
@@ -196,7 +196,9 @@ def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
 def _have_other_discriminants(
     given: AnyGiven, first: Lattice, second: Lattice, keys: set[str]
 ) -> bool:
-    """Tell whether the discriminants differ; the evidence has these keys where they do not, and else none."""
+    """Return whether the discriminants differ; the evidence has these keys where they do not, and else
+    none.
+    """
     if first.discriminant != second.discriminant:
         if given.data.keys() & keys:
             reject("there is nothing to run through: the discriminants differ")
@@ -237,7 +239,7 @@ def _spanned(algebra: Algebra, a: LatticeElement, b: LatticeElement) -> tuple[in
 
 
 def is_class_set(given: AnyGiven, parts: Parts) -> CheckResult:
-    """The order has so many classes of locally principal right ideals."""
+    """Check the number of classes of locally principal right ideals of the order."""
     values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
     if len(values) != a_whole_number(parts[1], "the number of classes"):
         reject(f"{len(values)} classes are given, which is not the number that is stated")

@@ -44,7 +44,9 @@ def is_embedded(given: Given, parts: Parts) -> CheckResult:
 
 
 def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
-    """No element is optimal: there is no embedding at a prime, or all of the trace 0 or 1 are listed."""
+    """Check that there is no optimal embedding: none at a prime, or none among all elements of trace 0 or
+    1.
+    """
     order, d = given.order(parts[0]), _discriminant(parts[1])
     if "prime" in given.data:
         if "basis" in given.data:
@@ -70,7 +72,7 @@ def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
 
 
 def has_orbits(given: Given, parts: Parts) -> CheckResult:
-    """Under units of norm 1 there are so many orbits for d < 0: some elements and their conjugates.
+    """Check the number of orbits of embeddings under units of norm 1, for d < 0.
 
     Their fixed points lie in the domain, and no unit maps one to another.
     """
@@ -119,7 +121,7 @@ def _need_embedding(order: Lattice, x: LatticeElement, d: int) -> None:
 
 
 def _is_optimal(order: Lattice, x: LatticeElement) -> bool:
-    """Tell whether no (x − m)/k with k > 1 is in the order: minors of 1 and x in coordinates are coprime."""
+    """Return whether no (x − m)/k with k > 1 is in the order: the 2 × 2 minors of (1, x) are coprime."""
     back, det = inverse(order.rows)
     both = times(
         [order.algebra.number([x.den * c for c in order.algebra.integers.one]), x.row], back
@@ -169,7 +171,7 @@ def _local_number(d: int, p: int, e: int, symbol: int) -> int:
 
 
 def _splits_or_is_not_maximal(d: int, p: int) -> bool:
-    """Tell whether the field of √d splits at p, or p divides the conductor of the order."""
+    """Return whether the field of √d splits at p, or p divides the conductor of the order."""
     if d % (p * p) == 0 and d // (p * p) % 4 < 2:
         return True
     return d % 8 == 1 if p == 2 else d % p != 0 and _is_square(d, p, 1)
@@ -180,7 +182,7 @@ def _is_inert(d: int, p: int) -> bool:
 
 
 def _is_square(d: int, p: int, e: int) -> bool:
-    """Tell whether d is a square modulo pᵉ, for p = 2 modulo 2ᵉ⁺²: x² − tx + n has a root modulo pᵉ."""
+    """Return whether d is a square modulo pᵉ, for p = 2 modulo 2ᵉ⁺²: x² − tx + n has a root modulo pᵉ."""
     e += 2 * (p == 2)
     v = 0
     while v < e and d % p == 0:

@@ -148,7 +148,7 @@ class FundamentalDomain:
         return corners, [size == 0 for size in sizes]
 
     def _sector(self) -> tuple[list[Row], list[bool]]:
-        """Return the same of a sector: the other units turned by powers of the last bound a polygon."""
+        """Check a sector: the other units, rotated by powers of the last, bound a polygon."""
         rotation, sides = self.units[-1], self.units[1:-1]
         if self._up_to_sign(self._inverse(rotation)) != self._up_to_sign(self.units[0]):
             reject("the first unit fixes the centre, and is not the inverse of the last")
@@ -189,7 +189,7 @@ class FundamentalDomain:
         return partners
 
     def _up_to_sign(self, g: LatticeElement) -> tuple[int, Row]:
-        """Return what g and −g have in common, and no other element."""
+        """Return a key that g and −g share and no other element has."""
         own = self.algebra.primitive(g.den, g.row)
         first = next((x for x in own.row if x), 0)
         return own.den, tuple(-x for x in own.row) if first < 0 else own.row
@@ -339,6 +339,6 @@ def _dot(f: Vector, x: Vector) -> Any:
 
 
 def _same_point(x: Row, y: Row) -> bool:
-    """Tell whether coordinates are multiples of one another; on one sheet the factor is positive."""
+    """Return whether coordinates are multiples of one another; on one sheet the factor is positive."""
     n = next(n for n, c in enumerate(y) if c)
     return all(x[n] * b == a * y[n] for a, b in zip(x, y, strict=True))

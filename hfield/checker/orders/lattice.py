@@ -48,11 +48,11 @@ class Lattice:
 
     @cached_property
     def bits(self) -> int:
-        """How long the numbers are, with those of the algebra."""
+        """The bit length of the numbers, with those of the algebra."""
         return longest([(self.den,), *self.rows]) + self.algebra.bits
 
     def pay(self, matrices: int, bits: int = 0) -> None:
-        """Spend what so many products of square matrices, with numbers longer by ``bits`` than those here."""
+        """Spend the cost of so many products of square matrices, with numbers longer by ``bits``."""
         count, bits = matrices * self.algebra.size**3, self.bits + bits
         spend(count // 4 + count * bits * bits // 2_000_000)
 
@@ -70,7 +70,7 @@ class Lattice:
 
     @property
     def unit(self) -> Any:
-        """By how much :attr:`gram` is too large."""
+        """The factor by which :attr:`gram` is too large."""
         return self.algebra.scale * self.den * self.den
 
     @cached_property
@@ -103,7 +103,7 @@ class Lattice:
         return ideal(self.algebra.integers, self.unit, [*self.norms, *traces])
 
     def holds(self, den: int, rows: Iterable[Sequence[int]]) -> bool:
-        """Tell whether all of the rows over ``den`` lie in the lattice."""
+        """Return whether all rows, divided by ``den``, lie in the lattice."""
         own = self.key[0]
         common = gcd(own, den)
         up, down = own // common, den // common
@@ -124,7 +124,7 @@ class Lattice:
 
     @cached_property
     def _steps(self) -> list[tuple[int, list[tuple[int, int]]]]:
-        """The pivots of the Hermite form, and what follows each in its row: places and numbers but 0."""
+        """The pivots of the Hermite form, and the nonzero entries that follow each in its row."""
         return [
             (row[n], [(m, y) for m, y in enumerate(row) if y and m > n])
             for n, row in enumerate(self.key[1])
@@ -138,7 +138,7 @@ class Lattice:
         return replace(self, den=self.den * x.den * self.algebra.scale, rows=rows)
 
     def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
-        """Tell whether all products of an element of this lattice and one of the other lie in a third."""
+        """Return whether all products of an element of this lattice and one of the other lie in a third."""
         self.pay(3 * self.algebra.size, other.bits + inside.bits)
         den = self.den * other.den * self.algebra.scale
         return all(

@@ -1,4 +1,4 @@
-"""An order prime by prime: its Eichler symbols, and the mass of its ideal classes that they give."""
+"""The local types of an order: its Eichler symbols, and the mass that follows from them."""
 
 from fractions import Fraction
 
@@ -36,7 +36,7 @@ def _entry(order: Lattice, a: int, b: int) -> Row:
 
 
 def _divides(order: Lattice, P: Prime) -> bool:
-    """Tell whether a prime divides the discriminant: the trace form is degenerate there."""
+    """Return whether a prime divides the discriminant: the trace form is degenerate there."""
     size = range(order.algebra.size)
     rows = [[c for b in size for c in remainder(_entry(order, a, b), P.span, P.p)] for a in size]
     return len(echelon(rows, P.p)) < 4 * P.degree

@@ -50,7 +50,7 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
         reject("newforms are checked in weight 2")
     if given.class_number != 1:
         reject("newforms are checked over fields of class number 1")
-    functions = Functions(given, given.order(parts[0]))
+    functions = FunctionsOnClasses(given, given.order(parts[0]))
     primes, data = given.primes_named(parts[2]), given.data
     rows = functions.hecke_rows(primes, data["neighbours"])
     weights = [an_integer(c, "a coefficient") for c in a_list(data["operator"], "the operator")]
@@ -76,7 +76,7 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
     return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites)
 
 
-class Functions:
+class FunctionsOnClasses:
     """The functions on the right ideal classes of an Eichler order, one ideal of each class being given."""
 
     def __init__(self, given: OverQ | OverField, order: Lattice) -> None:

@@ -67,7 +67,7 @@ class FiniteFieldPolynomial:
         return len(self.coefficients)
 
     def _spend(self, operations: int) -> None:
-        """Spend what operations on coefficients cost; those of an extension are lists."""
+        """Spend the cost of operations on coefficients, which are lists in an extension."""
         spend(2 + operations * (1 if self.base.order == self.base.characteristic else 4))
 
     def _same(self, x: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":

@@ -1,4 +1,4 @@
-"""Presentations of groups: eliminate generators that others express (Tietze).
+"""Presentations of groups: eliminate redundant generators (Tietze).
 
 A word is a tuple of ±1, ±2, …, for the generators and their inverses.
 """

@@ -76,7 +76,7 @@ class Given(ABC):
     @property
     @abstractmethod
     def primes(self) -> Any:
-        """The primes of the base that are known or given, in the form that the mass formula takes."""
+        """The primes of the base, known or given, as the mass formula needs them."""
 
     @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
@@ -198,7 +198,7 @@ class OverQ(Given):
         return self.basis(lattice, self.data["between"])
 
     def classes(self, values: Sequence[object]) -> Iterator[tuple[Lattice, Number, int]]:
-        """Read ideals; the norm of each is positive and generates an ideal, which tells nothing more."""
+        """Read ideals with their norms; each norm is positive and generates an ideal."""
         for value in values:
             yield self.given(value), self.units[0], 0
 
@@ -208,7 +208,7 @@ class OverQ(Given):
 
 
 class OverField(Given):
-    """An algebra over a number field K: the evidence says what ℤ_K is."""
+    """An algebra over a number field K; the evidence contains a basis of ℤ_K."""
 
     mass_theorem = MASS_OVER_FIELDS
     zeta_theorems = (SIEGEL,)

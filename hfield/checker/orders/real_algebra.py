@@ -15,7 +15,7 @@ class RealAlgebra:
     """Products, conjugates and pairings of such rows; all of them come ``scale`` times too large."""
 
     def __init__(self, algebra: Algebra, place: RealPlace | None = None) -> None:
-        """Make the tables; over ℚ there is one place, which need not be given."""
+        """Build the tables; over ℚ there is one place, which need not be given."""
         self.algebra, self.scale, self._place = algebra, algebra.scale, place
         left: list[list[Any]] = [[0] * 16 for _ in range(4)]
         for u, products in enumerate(algebra.products):

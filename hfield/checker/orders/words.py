@@ -165,7 +165,7 @@ def order_meaning(word: str, parts: tuple[str, ...]) -> Tree:
 
 
 def need_order_meaning(word: str, parts: tuple[str, ...], setting: Setting) -> None:
-    """Reject a statement over ℚ that says nothing."""
+    """Reject a statement over ℚ that has no meaning."""
     order_meaning(word, parts)
     OverQ(setting, {})
 

@@ -1,4 +1,5 @@
-"""Completions at a place: ``Qp(5)``, ``GF(9)((t))``, ``QQ(sqrt(2))_inf-``, as far as the global field goes.
+"""Completions at a place: ``Qp(5)``, ``GF(9)((t))``, ``QQ(sqrt(2))_inf-``; elements of the global field
+only.
 
 Elements are those of the global field, on which the completion computes as it does. What is shown at the
 place of the norm over the global field holds over the completion, where valuation and residues are the same.
@@ -52,11 +53,11 @@ class Completion(Ring):
         return self.base.inverse(x)
 
     def is_zero(self, x: Hashable) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return self.base.is_zero(x)
 
     def constant(self, tree: Tree) -> Hashable | None:
-        """Return what the name or call means in the global field; O(…) means nothing."""
+        """Return the meaning of a name or call in the global field; O(…) has none."""
         return self.base.constant(tree)
 
 
@@ -81,7 +82,7 @@ class AtPrime(Completion):
         return self.only
 
     def is_square(self, x: Hashable) -> bool:
-        """Tell that x is none: its valuation is odd, or it is a unit and no square among the residues."""
+        """Prove that x is not a square: its valuation is odd, or its residue is not a square."""
         over = self.only.residue(self.mul(x, self.base.inverse(self.only.odd)))
         if over is not None and self.only.is_unit(over):
             return False
@@ -94,7 +95,7 @@ class AtPrime(Completion):
 
 
 class AtRealRoot(Completion):
-    """The real numbers with a number field in them: signs are those of one of its orderings."""
+    """The real numbers with an embedded number field, whose signs are those of one of its orderings."""
 
     def __init__(self, base: Ring, name: str, which: str, number: int) -> None:
         super().__init__(base, f"the real place where {which}")
@@ -105,7 +106,7 @@ class AtRealRoot(Completion):
         return self.base.signs(x)[self.number_of_signs]
 
     def is_square(self, x: Hashable) -> bool:
-        """Tell whether x is not negative."""
+        """Return whether x is not negative."""
         return self.is_zero(x) or self.sign(x) == 1
 
 

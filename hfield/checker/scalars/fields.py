@@ -1,4 +1,4 @@
-"""Rings made of their data; each kind stands in the module that knows it."""
+"""Build rings from their data, each kind by the module that implements it."""
 
 import json
 

@@ -19,7 +19,7 @@ _BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044
 
 
 def is_prime(n: int) -> bool:
-    """Tell whether n is prime; refuses numbers for which that would be no proof."""
+    """Return whether n is prime; rejects numbers for which the test is not a proof."""
     if n < 2:
         return False
     for p in _BASES:
@@ -45,12 +45,12 @@ def is_prime(n: int) -> bool:
 
 
 class Finite(Ring):
-    """What finite fields have in common; without a field, nothing is known."""
+    """The common part of finite fields and ℤ/n."""
 
     order: int
 
     def is_square(self, x: Any) -> bool:
-        """Tell it by Euler's criterion; in characteristic 2 every element is a square."""
+        """Return whether x is a square, by Euler's criterion; in characteristic 2 every element is one."""
         q = self.order
         if not self.is_field:
             return super().is_square(x)
@@ -61,7 +61,7 @@ class Finite(Ring):
         return bound < 1 or (self.is_field and bound == 1 and self.order % 4 == 3)
 
     def is_irreducible(self, trace: Any, norm: Any) -> bool:
-        """Tell whether X² − trace·X + norm has no root in the field.
+        """Return whether X² − trace·X + norm has no root in the field.
 
         In odd characteristic this holds when trace² − 4·norm is a nonsquare, in characteristic 2 when trace
         is not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
@@ -120,11 +120,11 @@ class Residues(Finite):
             return None
 
     def elements(self) -> Iterator[int]:
-        """Run through all elements."""
+        """Yield all elements."""
         return iter(range(self.characteristic))
 
     def maps_modulo(self, n: int) -> bool:
-        """Tell whether n divides the characteristic."""
+        """Return whether n divides the characteristic."""
         return self.characteristic % n == 0
 
 
@@ -224,7 +224,7 @@ class Extension(Finite):
         return (0, 1, *(0,) * (self.degree - 2))
 
     def elements(self) -> Iterator[Digits]:
-        """Run through all elements."""
+        """Yield all elements."""
         return product(range(self.characteristic), repeat=self.degree)
 
     def _irreducible(self) -> bool:

@@ -60,7 +60,7 @@ class Functions(Ring):
         return self._fraction(x[1], x[0]) if x[0] else None
 
     def is_zero(self, x: Fraction) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return not x[0]
 
     def constant(self, tree: Tree) -> Fraction | None:
@@ -91,7 +91,7 @@ class Functions(Ring):
         return tuple(out)
 
     def is_square(self, x: Fraction) -> bool:
-        """Tell whether f·g is a square for x = f/g: its leading coefficient is, and it has a root.
+        """Return whether f·g is a square for x = f/g: its leading coefficient is, and it has a root.
 
         In characteristic 2 it is not decided here.
         """
@@ -122,11 +122,11 @@ class Functions(Ring):
         return bool(dict(polynomials.mul(found, found)) == monic)
 
     def level_above(self, bound: int) -> bool:
-        """Ask the constants: one of them that is a sum of squares in F(t) is one in F."""
+        """Use the field F of constants: a constant that is a sum of squares in F(t) is one in F."""
         return self.base.level_above(bound)
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
-        """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
+        """Return whether these are the fractions of polynomials, over the same field or over ℤ."""
         if not isinstance(ring, PolynomialRing) or ring.names != (self.variable,):
             return False
         return self.base.name == ring.base.name or self.base.is_fraction_field_of(ring.base)
@@ -161,7 +161,7 @@ class Functions(Ring):
         return base, value
 
     def _fraction(self, top: Poly, below: Poly) -> Fraction:
-        """Divide by the greatest common divisor, so that sums stay small."""
+        """Divide by the greatest common divisor to keep sums small."""
         if not top:
             return self.zero
         if len(below) == 1 and not any(below[0][0]):
@@ -219,7 +219,7 @@ class SeveralVariables(Functions):
         self.words = f"the rational functions in {', '.join(names)} over {blackboard(base.name)}"
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
-        """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
+        """Return whether these are the fractions of polynomials, over the same field or over ℤ."""
         if not isinstance(ring, PolynomialRing) or ring.names != self.names:
             return False
         below = self.constants

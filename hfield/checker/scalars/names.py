@@ -24,7 +24,7 @@ MAX_VARIABLES = 64
 
 
 def variables(value: object, base: Ring) -> tuple[str, ...]:
-    """Read the names of variables; none of them means anything else, or comes twice."""
+    """Read the names of variables, which must be distinct and not mean anything else."""
     found = [a_text(x, "a variable", 100) for x in a_list(value, "variables", 1)]
     for name in found:
         if not re.fullmatch("[a-zA-Z][a-zA-Z0-9_]*", name) or name in WORDS or name in BASIS:

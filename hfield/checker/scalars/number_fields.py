@@ -42,7 +42,7 @@ Element = tuple[Fraction, ...]  # as many as the degree: the coefficients of 1, 
 
 
 class NumberField(Ring):
-    """``QQ[s]/(f)``, f monic, low degree first; ``tree`` and ``gen`` are what the generator is called."""
+    """``QQ[s]/(f)``, f monic, low degree first; ``tree`` and ``gen`` name the generator."""
 
     characteristic = 0
     is_field = True
@@ -134,7 +134,7 @@ class NumberField(Ring):
     # --- squares ---------------------------------------------------------------------------------
 
     def is_square(self, x: Element) -> bool:
-        """Tell of some x that they are no squares: by a sign, or by a residue modulo a prime.
+        """Prove that x is not a square, by a sign or by a residue modulo a prime.
 
         Where f has a simple root r modulo p, ℚ[s]/(f) lies in ℚ_p, s being r modulo p (Hensel).
         """
@@ -205,7 +205,7 @@ def _rest(f: list[int], g: list[int]) -> list[int]:
 
 
 def without_common_factors(f: list[int], g: list[int]) -> list[int]:
-    """Return f divided by all that it has in common with g, over GF(2), again and again."""
+    """Divide f by gcd(f, g) until they are coprime, over GF(2)."""
     while len(g) > 1:
         out, rest = [0] * (len(f) - len(g) + 1), list(f)
         for shift in range(len(f) - len(g), -1, -1):
@@ -405,7 +405,7 @@ def _power(disc: Disc, k: int) -> Disc:
 
 
 def _is_no_integer(terms: list[Disc]) -> bool:
-    """Tell whether the sum of numbers in these discs is surely no integer."""
+    """Return whether the sum of numbers in these discs is surely no integer."""
     x, y, error = (sum(column) for column in zip(*terms, strict=True))
     away = min(x % (1 << BITS), -x % (1 << BITS))
     return bool(abs(y) > error or away > error)

@@ -20,8 +20,8 @@ class Place(ABC):
 
     @abstractmethod
     def is_unit(self, residue: Any) -> bool:
-        """Tell whether this is the residue of a unit."""
+        """Return whether this is the residue of a unit."""
 
     @abstractmethod
     def is_irreducible(self, trace: Any, norm: Any) -> bool:
-        """Tell whether X² − trace·X + norm has no root in the residue field."""
+        """Return whether X² − trace·X + norm has no root in the residue field."""

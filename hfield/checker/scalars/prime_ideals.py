@@ -22,7 +22,7 @@ from hfield.checker.scalars.residues import OverFiniteField, modulo
 
 
 class Generated(Protocol):
-    """A number field with a generator: the polynomial of this, monic, and what makes it integral."""
+    """A number field with an integral generator: its monic polynomial and the scaling factor."""
 
     name: str
     gen: str
@@ -32,7 +32,7 @@ class Generated(Protocol):
 
 
 class Field(Generated, Protocol):
-    """What is used of a number field besides."""
+    """The further operations of a number field."""
 
     def mul(self, x: Any, y: Any) -> Any:
         """Return x·y."""
@@ -67,7 +67,7 @@ class PrimeIdeal(OverFiniteField):
         self.cleared = _one_at(power, h, p)
 
     def _is_regular(self, g: list[int], e: int, h: list[int]) -> bool:
-        """Tell whether (f − gᵉ·h)/p is prime to g modulo p."""
+        """Return whether (f − gᵉ·h)/p is prime to g modulo p."""
         whole = h
         for _ in range(e):
             whole = _times(whole, g, 0)

@@ -39,11 +39,11 @@ class Quadratic(Surds):
             reject(f"{self.name}: expected the root of a squarefree number other than 1")
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
-        """Tell whether this is ℚ(I), and the ring ℤ[I]."""
+        """Return whether this is ℚ(I), and the ring ℤ[I]."""
         return self.d == -1 and ring.name == "ZZ[I]"
 
     def has_root(self, key: Radical) -> bool:
-        """Tell whether the root is that of d."""
+        """Return whether the square root is that of d."""
         return key == self.root
 
     def signs(self, x: Surd) -> tuple[int | None, ...]:
@@ -51,7 +51,7 @@ class Quadratic(Surds):
         return self.sign(x), self.sign(tuple((key, -c if key else c) for key, c in x))
 
     def is_square(self, x: Surd) -> bool:
-        """Tell it by the norm of u + v·√d: it is a square, and so is one of (u ± its root)/2."""
+        """Return whether u + v·√d is a square: its norm is a square r², and one of (u ± r)/2 is one."""
         u, v = pair(x)
         d, half = Fraction(self.d), Fraction(1, 2)
         if not v:
@@ -147,7 +147,7 @@ class SplitIdeal(ModuloNumber):
         return r * r - self.trace * r + self.norm
 
     def residue(self, x: Surd) -> int | None:
-        """Return the class of u + v·ω: of a numerator that is divisible by what n there is below it."""
+        """Return the residue class of u + v·ω modulo n."""
         u, v = self.pair(x)
         below = u.denominator * v.denominator
         top = (u * below).numerator, (v * below).numerator
@@ -192,11 +192,11 @@ class InertNumber(Place):
         return u * u - self.d * v * v
 
     def is_unit(self, residue: tuple[int, int]) -> bool:
-        """Tell whether the norm is prime to n."""
+        """Return whether the norm is prime to n."""
         return gcd(self._norm(*residue), self.n) == 1
 
     def is_irreducible(self, trace: tuple[int, int], norm: tuple[int, int]) -> bool:
-        """Ask whether the discriminant is a square."""
+        """Return whether the discriminant is not a square."""
         u, v = trace
         discriminant = u * u + self.d * v * v - 4 * norm[0], 2 * u * v - 4 * norm[1]
         return jacobi(self._norm(*discriminant), self.n) == -1

@@ -88,7 +88,7 @@ class QuotientRing(Ring):
         return None if c is None else (c, *self.zero[1:])
 
     def elements(self) -> Iterator[Hashable]:
-        """Run through all elements, over a finite field."""
+        """Yield all elements, over a finite field."""
         if self.order is None:
             return super().elements()
         return iter(product(list(self.base.elements()), repeat=self.degree))

@@ -74,7 +74,7 @@ class QuotientField(Finite):
         return None if self.is_zero(x) else self.power(x, self.order - 2)
 
     def _is_irreducible(self) -> bool:
-        """Tell it by Rabin's test: t^(qⁿ) = t, and t^(q^(n/r)) − t is a unit for each prime r | n.
+        """Return whether the modulus is irreducible, by Rabin's test.
 
         The first says that all prime factors are different and of degrees that divide n; the second that
         none has a degree that divides n/r. An extended Euclid recognises a unit, as a power would not do
@@ -90,7 +90,7 @@ class QuotientField(Finite):
         return bool(power == self.generator)
 
     def _is_unit(self, x: Dense) -> bool:
-        """Tell whether a polynomial is prime to the modulus."""
+        """Return whether a polynomial is prime to the modulus."""
         base = self.base
         f, g = [*map(base.neg, self._tail), base.one], list(x)
         while True:

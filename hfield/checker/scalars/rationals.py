@@ -1,4 +1,4 @@
-"""ℚ, and ℤ in it: fractions of integers; ℚ at a prime number; floats, where they compute exactly."""
+"""ℚ and ℤ, the places of ℚ, and floats where they compute exactly."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -17,7 +17,7 @@ MAX_BITS = 100_000
 
 
 class Rationals(Ring):
-    """ℚ; or ℤ, of which nothing but integers can be named, and where only ±1 are units."""
+    """ℚ, or ℤ, whose units are ±1."""
 
     characteristic = 0
     is_integral = True
@@ -55,11 +55,11 @@ class Rationals(Ring):
         return (x > 0) - (x < 0)
 
     def maps_modulo(self, n: int) -> bool:
-        """Tell whether this is ℤ."""
+        """Return whether this is ℤ."""
         return self.name == "ZZ"
 
     def is_square(self, x: Fraction) -> bool:
-        """Tell whether numerator and denominator are squares."""
+        """Return whether numerator and denominator are squares."""
         return x >= 0 and root(x) is not None
 
     def has_no_root(self, c: list[Fraction]) -> bool:
@@ -67,7 +67,7 @@ class Rationals(Ring):
         return has_no_rational_root(over_one_denominator(c)[0])
 
     def is_fraction_field_of(self, ring: Ring) -> bool:
-        """Tell whether this is ℚ, and the ring ℤ."""
+        """Return whether this is ℚ, and the ring ℤ."""
         return self is QQ and ring is ZZ
 
     def place(self, data: object) -> Place:
@@ -89,7 +89,7 @@ class RationalPlace(ModuloNumber):
 
 
 def _spend_for(x: Fraction, y: Fraction) -> None:
-    """Spend what a sum or a product costs."""
+    """Spend the cost of a sum or a product."""
     bits = x.numerator.bit_length() + x.denominator.bit_length()
     more = y.numerator.bit_length() + y.denominator.bit_length()
     spend(5 + (bits + more) // 1_000 + bits * more // 500_000)
@@ -153,7 +153,7 @@ def value_modulo(c: list[int], x: int, p: int) -> int:
 
 
 def divisors(n: int) -> list[int]:
-    """Return all divisors of a positive integer, which may not be too large."""
+    """Return all divisors of a positive integer of bounded size."""
     if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
     spend(isqrt(n))

@@ -13,7 +13,7 @@ MAX_HALVINGS = 4_000
 
 
 class RealRoot:
-    """A root of f in an interval at whose ends f has different signs; bisection goes for one root."""
+    """A root of f in an interval, at whose ends f has different signs; bisection refines it."""
 
     def __init__(self, f: Sequence[int], low: Fraction, high: Fraction) -> None:
         self.f, self.low, self.high = f, low, high
@@ -96,7 +96,7 @@ def _value(f: Sequence[int], x: Fraction) -> int:
 
 
 def _primitive(f: Sequence[int]) -> list[int]:
-    """Divide by a positive number, so that the coefficients are small and the signs as before."""
+    """Divide by the positive content, which keeps the signs."""
     bits = max(c.bit_length() for c in f)
     spend(len(f) * (5 + bits * bits // 500_000))
     content = gcd(*f)

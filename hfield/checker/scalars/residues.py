@@ -56,11 +56,11 @@ class ModuloNumber(Place):
     n: int
 
     def is_unit(self, residue: int) -> bool:
-        """Tell whether it is prime to n."""
+        """Return whether it is prime to n."""
         return gcd(residue, self.n) == 1
 
     def is_irreducible(self, trace: int, norm: int) -> bool:
-        """Ask whether the discriminant is a square; modulo 2 only X² + X + 1 is irreducible."""
+        """Return whether the discriminant is not a square; modulo 2 only X² + X + 1 is irreducible."""
         if self.n == 2:
             return GF2.is_irreducible(trace, norm)
         return jacobi(trace * trace - 4 * norm, self.n) == -1
@@ -72,9 +72,9 @@ class OverFiniteField(Place):
     residues: Finite
 
     def is_unit(self, residue: Any) -> bool:
-        """Tell whether it is not 0."""
+        """Return whether it is not 0."""
         return not self.residues.is_zero(residue)
 
     def is_irreducible(self, trace: Any, norm: Any) -> bool:
-        """Ask the residue field."""
+        """Return whether it is irreducible over the residue field."""
         return self.residues.is_irreducible(trace, norm)

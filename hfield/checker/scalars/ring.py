@@ -1,4 +1,5 @@
-"""What the checker asks of a ring: operations on plain, hashable values; and what it may know of a field.
+"""The protocol of rings in the checker: operations on plain, hashable values, and optional facts on
+fields.
 
 A kind of field is one module beside this one, with a class of this protocol and ``KINDS``, which makes rings
 of their data; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
@@ -80,7 +81,7 @@ class Ring(ABC):
         return self.is_field and self.sign(self.one) == 1
 
     def is_zero(self, x: Any) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x == self.zero)
 
     def constant(self, tree: Tree) -> Hashable | None:
@@ -88,7 +89,7 @@ class Ring(ABC):
         return None
 
     def elements(self) -> Iterator[Hashable]:
-        """Run through all elements of a finite ring."""
+        """Yield all elements of a finite ring."""
         reject(f"{self.name} has infinitely many elements")
 
     def sign(self, x: Any) -> int | None:
@@ -100,7 +101,7 @@ class Ring(ABC):
         return (self.sign(x),)
 
     def is_square(self, x: Any) -> bool:
-        """Tell whether x is a square; rejects where that is not decided here."""
+        """Return whether x is a square; rejects where that is not decided here."""
         reject(f"squares in {self.name} are not decided here")
 
     def has_no_root(self, c: list[Any]) -> bool:
@@ -120,19 +121,19 @@ class Ring(ABC):
         reject(f"no place of the kind {shown(kind)!r} is known of {self.name}")
 
     def is_fraction_field_of(self, ring: "Ring") -> bool:
-        """Tell whether this is the field of fractions of another ring."""
+        """Return whether this is the field of fractions of another ring."""
         return False
 
     def at(self, point: str) -> "tuple[Ring, Callable[[Any], Any]]":
-        """Return the field in which functions have values at a point, and what tells the values."""
+        """Return the field of values of functions at a point, and the evaluation map."""
         reject(f"the elements of {self.name} have no values at points here")
 
     def maps_modulo(self, n: int) -> bool:
-        """Tell whether the classes modulo n of the ring are ℤ/n."""
+        """Return whether the classes modulo n of the ring are ℤ/n."""
         return False
 
     def equal(self, x: Any, y: Any) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return self.is_zero(self.add(x, self.neg(y)))
 
     def power(self, x: Any, n: int) -> Any:

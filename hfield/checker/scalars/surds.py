@@ -36,7 +36,7 @@ class Surds(Ring):
     one: Surd = (((), Fraction(1)),)
 
     def has_root(self, key: Radical) -> bool:
-        """Tell whether the square root of the product of these primes lies in the field."""
+        """Return whether the square root of the product of these primes lies in the field."""
         return True
 
     def number(self, n: int) -> Surd:
@@ -125,11 +125,11 @@ class Reals(Surds):
     is_real = True
 
     def has_root(self, key: Radical) -> bool:
-        """Tell whether the number under the root is positive."""
+        """Return whether the number under the root is positive."""
         return -1 not in key
 
     def is_square(self, x: Surd) -> bool:
-        """Tell whether x is not negative."""
+        """Return whether x is not negative."""
         return self.sign(x) != -1
 
 
@@ -201,11 +201,11 @@ class Multiquadratic(Surds):
         self._span = span
 
     def has_root(self, key: Radical) -> bool:
-        """Tell whether the root is a product of those in the name, up to a rational number."""
+        """Return whether the root is a product of those in the name, up to a rational number."""
         return key in self._span
 
     def is_square(self, x: Surd) -> bool:
-        """Tell it of rational numbers, and of what is negative in an ordering."""
+        """Return whether x is a square, where x is rational or negative in an ordering."""
         if all(not key for key, _ in x):
             c = dict(x).get((), Fraction(0))
             return self.has_root(radical(c.numerator * c.denominator)[0])
@@ -214,7 +214,7 @@ class Multiquadratic(Surds):
         reject(f"whether a number is a square in {self.name} is not decided here")
 
     def signs(self, x: Surd) -> tuple[int | None, ...]:
-        """Return the signs of x, the roots in the name taken as positive or negative in all ways."""
+        """Return the signs of x under all choices of signs of the square roots in the name."""
         if not self.is_real:
             return (None,)
         out = []

@@ -88,7 +88,7 @@ def division(
 
 
 def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
-    """−1 is not a sum of so many squares, or of any."""
+    """Check that −1 is not a sum of so many squares, or of any number."""
     bound = int(parts[0]) if parts else None
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
@@ -154,7 +154,7 @@ def modulus_exists(
 
 
 def _identity(form: str, setting: Setting) -> None:
-    """Expand an identity in p and q, for which letters stand that name no element of the field."""
+    """Expand an identity in p and q, with letters that do not name an element of the field."""
     field = _field(setting)
     free = [x for x in QUATERNIONS if field.constant(("name", x)) is None]
     if len(free) < 2:
@@ -197,7 +197,7 @@ def modulus_law(
 
 
 def _try_squares(field: Ring) -> None:
-    """Check over a finite field that roots which are squares themselves are enough, and multiply to such."""
+    """Check over a finite field that the roots which are squares suffice and are closed under products."""
     spend(20 * (field.order or 0) ** 2)
     squares = {field.mul(x, x) for x in field.elements()}
     root = {field.mul(x, x): x for x in squares}

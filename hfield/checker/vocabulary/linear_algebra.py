@@ -71,7 +71,7 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
 
 
 def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
-    """The centre is everything in the characteristic given, and F·e in every other."""
+    """Check that the centre is the whole algebra in the given characteristic, and F·e in every other."""
     special = int(parts[0])
     data = an_object(evidence, "kind rows columns", "the evidence")
     if verdict != "proved" or data["kind"] != "minor" or not is_prime(special):
@@ -199,7 +199,7 @@ def _unit(n: int) -> list[Poly]:
 
 
 def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
-    """Tell whether a difference of two sides shows the verdict.
+    """Return whether a difference of two sides shows the verdict.
 
     It is 0; or it has a coefficient ±1 and is linear in each unknown, so that it is no 0 function
     over any field.

@@ -103,7 +103,7 @@ def statements_inside(p: VocabularyStatement, setting: Setting) -> list[tuple[st
 
 
 def need_meaning(p: VocabularyStatement, setting: Setting, depth: int = 0) -> None:
-    """Reject a statement with a part that says nothing, whether or not the evidence is about that part."""
+    """Reject a statement with a meaningless part, also where the evidence does not use that part."""
     for text, there in statements_inside(p, setting):
         inner = read_proposition(text, depth + 1)
         if inner is None:
@@ -217,7 +217,9 @@ def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: in
 
 
 def _with_the_same_names(text: str, setting: Setting) -> Setting:
-    """Reject what says nothing of all fields, and a field in which an unknown of it would be an element."""
+    """Reject a statement without meaning over all fields, or whose unknown would name an element of the
+    field.
+    """
     assert setting.field is not None
     read_statement(text, replace(setting, field=None))
     for node in walk(parse(text)):
@@ -228,7 +230,7 @@ def _with_the_same_names(text: str, setting: Setting) -> Setting:
 
 
 class _Logic:
-    """One proposition made of others."""
+    """A proposition composed of others."""
 
     def __init__(self, p: VocabularyStatement, text: str, setting: Setting, depth: int) -> None:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth

@@ -159,7 +159,7 @@ def establish_presentation(
 
 
 def _is_vacuous(target: Presentation, ring: Ring | None) -> bool:
-    """Tell whether a relation says that a number is 0 which is a unit."""
+    """Return whether a relation says that a unit is 0."""
     numbers = [f[""] for f in target.relations if set(f) == {""}]
     if ring is None:
         return 1 in map(abs, numbers)

@@ -134,7 +134,7 @@ def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
-    """Say how long it will take, where that is long. Raises :class:`TooLargeError` if memory is too small."""
+    """Announce a long run and its estimated time. Raises :class:`TooLargeError` if memory is too small."""
     from hfield.orders.brandt import expect_matrix_fits
 
     instead = "--format edges, with a prime, writes only the entries that are not 0"
@@ -191,7 +191,7 @@ def _plot(graph: BrandtGraph, args: Namespace, replace: bool) -> None:
 
 
 def _graph(C: ClassSet, matrix: list[list[int]], n: Any) -> BrandtGraph:
-    """Return what is drawn of a Brandt matrix."""
+    """Return the graph of a Brandt matrix."""
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.core.primality import is_prime
 

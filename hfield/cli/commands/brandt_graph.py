@@ -37,7 +37,8 @@ FIXED, PAIRED = ("#2f6fb5", "#6aa5e8"), ("#c4661f", "#f0a35e")
 
 @dataclass(frozen=True)
 class BrandtGraph:
-    """A Brandt matrix to draw: ``matrix[i][j]`` arrows from i to j, and the numbers of units by vertex.
+    """The graph of a Brandt matrix: ``matrix[i][j]`` arrows from i to j, and the number of units of each
+    vertex.
 
     ``arrows`` is what an arrow stands for. ``conjugates`` is the vertex of the Frobenius conjugate of each
     supersingular curve, for a prime discriminant and level 1; None otherwise.
@@ -309,7 +310,7 @@ class _Drawing:
     # --- legend ---
 
     def legend(self) -> None:
-        """Say what sizes, colours and arrows mean, below the graph."""
+        """Draw a legend of sizes, colours and arrows below the graph."""
         left, y = 0.45, 0.27
         self.say(left, y, self.reading())
         if any(map(self.is_paired, range(len(self.points)))):

@@ -91,7 +91,7 @@ Outcome = Established | Rejected | UnreadableError
 
 @dataclass(frozen=True)
 class Checked:
-    """One certificate, by its name: what came out, and what Coq says of one that is accepted."""
+    """The result of checking one certificate, and Coq's verdict on an accepted one."""
 
     name: str
     outcome: Outcome
@@ -133,7 +133,7 @@ def _exit_status(outcomes: Sequence[Outcome], allow_assumptions: bool) -> int:
 def _checked(
     name: str, expected: ExpectedClaim | None, judge: Judge | None, work: float
 ) -> Iterator[Checked]:
-    """Yield a file, or each line of one that has many, with what came out."""
+    """Yield the result for a file, or for each line of a file of many."""
     for each, content in _contents(name):
         if isinstance(content, UnreadableError):
             yield Checked(each, content)
@@ -142,7 +142,7 @@ def _checked(
 
 
 def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
-    """Open a file, once, and yield what is in it, or each line of one that has many, each by its name."""
+    """Open a file once, and yield the named certificate in it, or one for each line."""
     try:
         with Path(name).open("rb") as stream:
             if not name.endswith(LINES_SUFFIX):
@@ -160,7 +160,7 @@ def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
 def _check(
     name: str, content: bytes, expected: ExpectedClaim | None, judge: Judge | None, work: float
 ) -> Checked:
-    """Check what was read; Coq judges the very data that was checked."""
+    """Check the data that was read, and pass the same data to Coq."""
     most = Budget(work)
     try:
         with bounded(most):
@@ -227,7 +227,7 @@ def _expected(args: Namespace) -> ExpectedClaim | None:
 
 
 def _in_words(expected: ExpectedClaim, claim: str | None) -> str:
-    """Say what the certificates have to be about."""
+    """Return in words what the certificates must be about."""
     from hfield.fields.names import ring
 
     what = f"claim {claim}" if claim else one_line(expected.statements[0])

@@ -28,7 +28,7 @@ MAX_MEMORY = 1 << 24  # MiB
 
 @dataclass(frozen=True)
 class CoqVerdict:
-    """What became of one certificate, why, and the proposition that Coq accepted, as it prints it."""
+    """Coq's verdict on one certificate: status, reason, and the accepted proposition as Coq prints it."""
 
     word: str
     reason: str

@@ -112,7 +112,7 @@ def _answer(
 
 
 def _data(O: Order, number: int) -> dict[str, object]:
-    """Return what is known without the classes, as JSON data."""
+    """Return what is known without enumerating classes, as JSON data."""
     return {
         "schema": "hfield-classes/1",
         "algebra": str(O.algebra),
@@ -124,7 +124,7 @@ def _data(O: Order, number: int) -> dict[str, object]:
 
 
 def _facts(O: Order, number: str) -> list[tuple[str, str]]:
-    """Return the same for people; ``number`` says how many classes there are, and by what."""
+    """Return the same as lines of text; ``number`` is the class number and the formula used."""
     base = O.value.ambient.base
     return [
         ("algebra", f"{O.algebra}, discriminant {O.value.ambient.discriminant}, level {O.level}"),

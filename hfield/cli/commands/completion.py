@@ -67,7 +67,7 @@ def run(args: Namespace) -> int:
 
 
 def candidates(words: list[str]) -> list[str]:
-    """Return what may stand in place of the last word of a command line (without ``hfield``)."""
+    """Return the completions of the last word of a command line (without ``hfield``)."""
     from hfield.cli.catalogue import names
 
     *before, last = words or [""]
@@ -95,7 +95,7 @@ def _arguments(name: str, previous: str, last: str) -> Iterable[str]:
 
 
 def _values(metavar: object, choices: Iterable[str] | None) -> Iterable[str]:
-    """Return the values of an argument by what its help calls it; none for files, which shells know."""
+    """Return the possible values of an argument by its metavar; none for files, which shells complete."""
     if choices is not None:
         return choices
     if metavar in ("CLAIM", "ID"):

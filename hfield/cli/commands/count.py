@@ -1,4 +1,4 @@
-"""``hfield count``: how many elements have norm 0, are nilpotent, idempotent, units, roots of ±1."""
+"""``hfield count``: numbers of elements of norm 0, nilpotents, idempotents, units and roots of ±1."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def configure(parser: ArgumentParser) -> None:
 
 @dataclass
 class CountTable:
-    """One line a count: what, how many, the formula (or None); and how many were gone through."""
+    """The counts, one a line: kind, number, formula or None; and the number of elements enumerated."""
 
     algebra: QuaternionAlgebra
     lines: list[tuple[str, int, str | None]]

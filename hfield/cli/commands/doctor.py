@@ -44,7 +44,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Look for everything, and report."""
+    """Check each dependency, and report."""
     needed = {name: _version(name) for name in _needed()}
     optional = {name: _version(name) for name in OPTIONAL}
     programs = {name: which(name) for name in PROGRAMS}

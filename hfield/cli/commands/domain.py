@@ -58,7 +58,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Compute the domain, draw it, and print what it is."""
+    """Compute the domain, draw it, and print its invariants."""
     center = None if args.center is None else _complex(args.center)
     replace = args.output is not None and try_picture(args.output, ".html")
     A = algebra_of(args.algebra)

@@ -43,7 +43,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Draw, and say what was written."""
+    """Draw the picture, and report the file."""
     if not args.output:
         raise UsageError("expected the file of the picture: -o FILE, ending in .svg, .png or .pdf")
     A = algebra_of(Namespace(where=args.algebra, algebra=None, field=None))

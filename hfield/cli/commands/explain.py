@@ -33,7 +33,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Decide claims over one field and tell how."""
+    """Decide claims over one field and print the proofs."""
     from hfield.ledger.registry import find_all
 
     check_given(args)

@@ -57,7 +57,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Write the file, tell how many theorems it has and what was left out."""
+    """Write the file; report the number of theorems and what was left out."""
     from hfield.export.coq.export import Export, export_certificates, export_statements
     from hfield.export.coq.ledger import export_ledger
     from hfield.ledger.registry import find
@@ -91,7 +91,7 @@ def run(args: Namespace) -> int:
 
 
 def _summarise(file: str, summary: str) -> None:
-    """Say what was written to a file; beside the output where that is no file."""
+    """Report the file that was written, on stderr if the output is stdout."""
     if file == "-":
         note(summary)
     else:
@@ -99,7 +99,7 @@ def _summarise(file: str, summary: str) -> None:
 
 
 def _lean(args: Namespace) -> int:
-    """Write a file for Lean, tell how many theorems it has and what was left out."""
+    """Write a file for Lean; report the number of theorems and what was left out."""
     from hfield.export.lean import lean_file, lean_theorems
     from hfield.prover.prove import prove
 

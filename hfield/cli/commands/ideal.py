@@ -60,7 +60,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Make the ideal, compute what the options say, and print."""
+    """Read the ideal, compute what the options request, and print."""
     return answer_certified(args, _answer)
 
 

@@ -36,7 +36,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Ask everything, and print the pages."""
+    """Collect the facts, and print the pages."""
     with given_factors(args):
         return answer_all(args, _describe, COLUMNS)
 

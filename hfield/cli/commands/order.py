@@ -70,7 +70,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Make the order, and print what it is."""
+    """Read the order, and print its invariants."""
     return answer_certified(args, _answer)
 
 
@@ -194,7 +194,7 @@ def parts(O: Order) -> list[AnswerSection]:
 
 
 def _units(O: Order) -> str:
-    """Return how many units there are, and their group, for people."""
+    """Return the number of units, and their group, for people."""
     modulo = "" if O.value.ambient.base.lists_all_units else " modulo those of the field"
     if not O.is_definite():
         return f"infinitely many{modulo}"

@@ -39,7 +39,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Compile, ring after ring, and tell how long each took."""
+    """Compile the loops of each ring, and report the times."""
     from hfield.algebra import H, QuaternionAlgebra
     from hfield.compiling.machine_code import available
 
@@ -66,7 +66,7 @@ def run(args: Namespace) -> int:
 
 
 def _usual(name: str) -> Iterator[QuaternionAlgebra]:
-    """Run through algebras over a ring whose loops serve nearly all: H, (a,b|F) and, if 2 = 0, [a,b|F).
+    """Yield the algebras whose compiled loops serve nearly all others: H, (a,b|F) and, if 2 = 0, [a,b|F).
 
     Over finite rings the structure constants are read by the loop, unless they are 0, 1 or −1.
     """

@@ -111,7 +111,7 @@ def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) 
 
 
 def _number(count: Callable[[], int]) -> int | None:
-    """Return a number of roots, or None for infinitely many and where it takes long to count them."""
+    """Return the number of roots; None if it is infinite or takes long to count."""
     try:
         return count()
     except (NotFiniteError, TooLargeError):

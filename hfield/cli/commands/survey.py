@@ -72,7 +72,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Compute what is missing, and write it."""
+    """Compute the missing rows, and write them."""
     from hfield import surveys
     from hfield.core.executors import open_executor
     from hfield.core.journal import Journal

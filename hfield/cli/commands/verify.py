@@ -116,7 +116,7 @@ def _answer(
 
 
 def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
-    """Return the claims to choose from, those of the files named if any, and the other arguments."""
+    """Return the claims of the named files, or of the ledger, and the other arguments."""
     from hfield.ledger.document import read_ledgers
     from hfield.ledger.registry import claims
 
@@ -138,7 +138,7 @@ def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str,
 
 
 def _remark(fields: list[str]) -> None:
-    """Say what the verdicts over a ring that is not an exact field are worth."""
+    """Return a remark on verdicts over a ring that is not an exact field."""
     from hfield.fields.names import ring
     from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 

@@ -115,7 +115,7 @@ class PolynomialArithmetic(OddExtension):
         return tuple(operation(code, a, b) for a, b in zip(x, y, strict=True))
 
     def _reduced(self, code: Code, x: Digits) -> Digits:
-        """Put in what the powers from n on are modulo the polynomial, then reduce the digits."""
+        """Substitute the powers from n on modulo the polynomial, then reduce the digits."""
         low, n = self.digits, self.degree
         digits = list(x[:n])
         for high, power in zip(x[n:], self._powers, strict=False):

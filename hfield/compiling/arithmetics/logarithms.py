@@ -22,7 +22,7 @@ INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the n
 
 
 class Logarithm(NamedTuple):
-    """The name of a number's logarithm, or that number if it is known."""
+    """A logarithm: the name of a value, or a known number."""
 
     name: str
 
@@ -54,7 +54,7 @@ class ByLogarithms(OddExtension):
     @property
     @abstractmethod
     def capacity(self) -> int:
-        """How many values a digit of a sum may have."""
+        """The number of values that a digit of a sum may have."""
 
     @abstractmethod
     def biased(self, code: Code, words: tuple[str, ...], bias: int) -> tuple[str, ...]:
@@ -62,15 +62,15 @@ class ByLogarithms(OddExtension):
 
     @abstractmethod
     def logarithm(self, code: Code, label: str) -> Logarithm:
-        """Look the logarithm of a label up."""
+        """Return the logarithm of a label, by table."""
 
     @abstractmethod
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
-        """Look the digits of the element up that has the sum of one or two logarithms."""
+        """Return the digits of the element with the sum of one or two logarithms, by table."""
 
     @abstractmethod
     def label(self, code: Code, words: tuple[str, ...]) -> str:
-        """Look the label of a sum up, none of whose digits is negative."""
+        """Return the label of a sum without negative digits, by table."""
 
     # --- in and out ----------------------------------------------------------------------------
 
@@ -143,7 +143,7 @@ class LogarithmicField(ByLogarithms):
 
     @property
     def capacity(self) -> int:
-        """How many values a digit of a sum may have."""
+        """The number of values that a digit of a sum may have."""
         return 1 << self.width
 
     @cached_property
@@ -153,7 +153,7 @@ class LogarithmicField(ByLogarithms):
 
     @cached_property
     def group(self) -> int:
-        """How many digits are turned into a part of the label at a time."""
+        """The number of digits converted to a part of the label in one lookup."""
         return max(1, INDEX_BITS // self.width)
 
     def tables(self) -> tuple[np.ndarray, ...]:
@@ -170,13 +170,13 @@ class LogarithmicField(ByLogarithms):
         return (code.value(f"add {self.word} {words[0]}, {every}"),)
 
     def logarithm(self, code: Code, label: str) -> Logarithm:
-        """Look the logarithm of a label up."""
+        """Return the logarithm of a label, by table."""
         index = code.value(f"zext {raw_type(self.dtype)} {label} to i64")
         found = code.load("i32", code.at("i32", "%table0", index))
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
-        """Look the digits up; the entry of log 0 lies so high that every sum with it points to a zero."""
+        """Return the digits, by table; the entry of log 0 is so high that every sum with it gives 0."""
         # two steps from the table's beginning: the processor takes the second while it loads
         at = "%table1"
         for logarithm in logarithms:
@@ -184,7 +184,7 @@ class LogarithmicField(ByLogarithms):
         return Packed((code.load(self.word, at),), 0, self.characteristic - 1)
 
     def label(self, code: Code, words: tuple[str, ...]) -> str:
-        """Look the label of a sum up: the sum of what a table says of each group of digits."""
+        """Return the label of a sum: the sum of table entries, one for each group of digits."""
         v, word, (name,) = code.value, self.word, words
         kind, bits = raw_type(self.dtype), self.width * self.group
         label = ""

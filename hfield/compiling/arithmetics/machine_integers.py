@@ -1,4 +1,4 @@
-"""Integers of 8 to 64 bits: quickly where the operands are small enough, else with every overflow noticed.
+"""Integers of 8 to 64 bits: without checks for small operands, else with overflow checks.
 
 `SmallWholeNumbers` computes without a check and tells when an operand was too large for its bounds; what the
 bounds of the results are decides how wide they are written. `CheckedWholeNumbers` asks after each
@@ -29,7 +29,7 @@ def holds(dtype: str) -> int:
 
 @dataclass(frozen=True)
 class SmallWholeNumbers(Arithmetic):
-    """Whole numbers n with |n| < 2^bits or n = −2^bits, with which nothing that is computed leaves 64 bits.
+    """Integers of absolute value at most 2^bits, small enough that no result overflows 64 bits.
 
     They are read from rows of ``dtype``, and written to rows of ``result``, which holds every result.
     """
@@ -42,7 +42,7 @@ class SmallWholeNumbers(Arithmetic):
     waits_for_memory = True
 
     def load(self, code: Code, raw: str) -> Bounded:
-        """Read a number, and tell if it is too large."""
+        """Load a number, and flag it if it is too large."""
         most = (1 << self.bits) - 1
         if self.dtype != "i8":
             raw = code.value(f"sext {raw_type(self.dtype)} {raw} to i64")
@@ -97,7 +97,7 @@ def _within(x: Bounded) -> Bounded:
 
 @dataclass(frozen=True)
 class CheckedWholeNumbers(Arithmetic):
-    """Whole numbers of 64 bits; every operation tells if it overflows."""
+    """Integers of 64 bits with overflow checks."""
 
     dtype = "i8"
     vectorise = False

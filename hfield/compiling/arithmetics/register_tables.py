@@ -1,4 +1,4 @@
-"""GF(pⁿ), n > 1 and pⁿ ≤ 256, 64 elements at a time: by logarithms, with tables that lie in registers.
+"""GF(pⁿ), n > 1 and pⁿ ≤ 256, 64 elements at a time, by logarithm tables in registers.
 
 The instruction vpermi2b of AVX-512 VBMI looks 64 bytes up at once in a table of 128, and two do in one of
 256: logarithms of labels, then the digits of powers, as many in a byte as leave space for the sum of a few.
@@ -34,12 +34,12 @@ class RegisterField(ByLogarithms):
 
     @property
     def capacity(self) -> int:
-        """How many values a digit of a sum may have."""
+        """The number of values that a digit of a sum may have."""
         return TERMS * (self.characteristic - 1) + 1
 
     @property
     def group(self) -> int:
-        """How many digits lie in a byte: sums of them are looked up in one step."""
+        """The number of digits in a byte, which are looked up in one step."""
         return 2 if self.capacity**2 <= HALF else 1
 
     def tables(self) -> tuple[np.ndarray, ...]:
@@ -56,11 +56,11 @@ class RegisterField(ByLogarithms):
         return tuple(code.value(f"add {VECTOR} {word}, {every}") for word in words)
 
     def logarithm(self, code: Code, label: str) -> Logarithm:
-        """Look the logarithm of a label up."""
+        """Return the logarithm of a label, by table."""
         return Logarithm(_found(code, "%table0", 0, label))
 
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
-        """Look the digits up; the last entry is that of log 0."""
+        """Return the digits, by table; the last entry is that of log 0."""
         index = logarithms[0].name
         for other in logarithms[1:]:
             index = self._product(code, index, other.name)
@@ -69,7 +69,7 @@ class RegisterField(ByLogarithms):
         return Packed(words, 0, self.characteristic - 1)
 
     def label(self, code: Code, words: tuple[str, ...]) -> str:
-        """Look the label of a sum up: the sum of what a table says of each byte."""
+        """Return the label of a sum: the sum of table entries, one for each byte."""
         label = ""
         for n, word in enumerate(words):
             part = _half_found(code, "%table2", n * HALF, word)
@@ -96,11 +96,11 @@ class BinaryRegisterField(RegisterField):
 
     @property
     def group(self) -> int:
-        """How many digits lie in a byte: all."""
+        """The number of digits in a byte: all."""
         return self.degree
 
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
-        """Look the label up; sums of labels never need to be reduced."""
+        """Return the label, by table; sums of labels need no reduction."""
         return Packed(super().power(code, *logarithms).words, 0, 0)
 
     def label(self, code: Code, words: tuple[str, ...]) -> str:
@@ -112,14 +112,14 @@ class BinaryRegisterField(RegisterField):
 
 
 def _found(code: Code, table: str, start: int, index: str) -> str:
-    """Look bytes up in 256 of a table."""
+    """Look up bytes in a table of 256 bytes."""
     low, high = (_half_found(code, table, start + n * HALF, index) for n in (0, 1))
     upper = code.value(f"icmp slt {VECTOR} {index}, zeroinitializer")
     return code.value(f"select {MASK} {upper}, {VECTOR} {high}, {VECTOR} {low}")
 
 
 def _half_found(code: Code, table: str, start: int, index: str) -> str:
-    """Look bytes up in 128 of a table, by the lower seven bits of the index."""
+    """Look up bytes in a table of 128 bytes, by the lower seven bits of the index."""
     parts = []
     for place in (start, start + LANES):
         parts.append(code.load(VECTOR, code.at("i8", table, place), 1))

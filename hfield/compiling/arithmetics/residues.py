@@ -1,4 +1,4 @@
-"""Residues modulo n ≤ 2³²: multiplied and added unreduced as far as a word holds them, then reduced once.
+"""Residues modulo n ≤ 2³²: products and sums stay unreduced while they fit a word, then are reduced once.
 
 What stands for a residue carries bounds. Where a sum or a product could leave the word, the operand with the
 wider bounds is reduced first; so the product of Hamilton's quaternions needs one reduction a coordinate.
@@ -56,7 +56,7 @@ class ResidueArithmetic(Arithmetic):
     # --- in and out ----------------------------------------------------------------------------
 
     def load(self, code: Code, raw: str) -> Bounded:
-        """Read a residue; a large one as the representative next to 0, whose products fit."""
+        """Load a residue; for a large modulus the representative nearest to 0, whose products fit."""
         kind, n = raw_type(self.dtype), self.modulus
         if self.word != "i64":
             return Bounded(code.value(f"uitofp {kind} {raw} to {self.word}"), 0, n - 1)

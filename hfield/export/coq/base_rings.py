@@ -16,7 +16,7 @@ MAX_RESIDUE_BITS = 400
 
 @dataclass(frozen=True)
 class BaseRing:
-    """A ring, or all of a kind. ``opening`` stands in front of a statement, ``names`` introduce it."""
+    """A ring, or all rings of a kind; ``opening`` precedes a statement, ``names`` introduce the ring."""
 
     opening: str
     type: str

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class MismatchError(HFieldError, ValueError):
-    """Evidence that cannot be about the statement; the message says why."""
+    """The evidence does not fit the statement; the message says why."""
 
 
 def written(polynomial: flint.fmpz_mpoly) -> str:
@@ -47,7 +47,7 @@ MAX_TERMS = 400_000  # pairs of terms that are multiplied
 
 
 class Numerators:
-    """The polynomials in the coordinates of some unknowns, and what was divided by."""
+    """The numerators as polynomials in coordinates, and the denominators."""
 
     def __init__(self, atoms: Sequence[str]) -> None:
         self.atoms = list(atoms)
@@ -137,7 +137,7 @@ class Numerator:
 
 
 def times(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-    """Return a product. Raises :class:`TooLargeError` when it is too large to expand."""
+    """Return a product. Raises :class:`TooLargeError` if it is too large to expand."""
     if len(f) * len(g) > MAX_TERMS:
         raise TooLargeError(f"a product of polynomials has more than {MAX_TERMS} terms")
     return f * g

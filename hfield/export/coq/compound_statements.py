@@ -44,7 +44,7 @@ def judge(
     evidence: Mapping[str, Any],
     depth: int = 0,
 ) -> Proved:
-    """Prove what a verdict on any statement says. Raises NotCoveredError and MismatchError."""
+    """Prove the verdict on any statement. Raises NotCoveredError and MismatchError."""
     if depth > MAX_DEPTH:
         raise MismatchError("the statement nests too deeply")
     whole = read(text)
@@ -100,7 +100,7 @@ def _named(name: str) -> Ring:
 
 
 def _core_alone(angles: VocabularyStatement, setting: Setting) -> bool:
-    """Tell whether ``angles{P; Q}`` says P alone: Q is said of RR, which is among all fields."""
+    """Return whether ``angles{P; Q}`` reduces to P, since Q is about RR."""
     if setting.field is None:
         return len(angles.parts) == 1
     return setting.field.name != "RR"
@@ -111,7 +111,7 @@ def _no_word(word: str) -> NotCoveredError:
 
 
 class _CompoundStatement:
-    """One statement made of others."""
+    """A statement composed of others."""
 
     def __init__(self, name: str, whole: VocabularyStatement, setting: Setting, depth: int) -> None:
         self.name, self.whole, self.setting, self.depth = name, whole, setting, depth
@@ -132,7 +132,7 @@ class _CompoundStatement:
         return own, name
 
     def judge(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
-        """Prove what the verdict says."""
+        """Prove the verdict."""
         word, kind = self.whole.word, evidence.get("kind")
         if word not in LOGIC:
             raise _no_word(word)
@@ -224,7 +224,7 @@ MAX_POWER = 200
 
 
 def is_presentation(text: str) -> bool:
-    """Tell whether a statement is one about all associative algebras."""
+    """Return whether a statement is one about all associative algebras."""
     return re.match(r"\s*associative\s*\(", text) is not None
 
 
@@ -315,7 +315,7 @@ class PresentationStatement:
 
 
 def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]) -> Proved:
-    """Prove what a verdict on a presentation says.
+    """Prove the verdict on a presentation.
 
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
     all rings. Raises :class:`NotCoveredError` for proofs that divide.

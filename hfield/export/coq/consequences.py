@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class CertificateItem:
-    """One item as it stands in the certificate, with its polynomials read."""
+    """One item of the certificate, with its polynomials."""
 
     raw: Mapping[str, Any]
     zeros: list[Any]
@@ -54,7 +54,7 @@ def differences(equation: Equation) -> list[flint.fmpz_mpoly]:
 
 
 def proportional(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
-    """Tell whether two polynomials are multiples of each other by numbers."""
+    """Return whether two polynomials are multiples of each other by numbers."""
     if f == 0 or g == 0:
         return bool(f == g)
     return bool(g.leading_coefficient() * f == f.leading_coefficient() * g)
@@ -66,7 +66,7 @@ def are_products(
     common: flint.fmpz_mpoly,
     factors: Sequence[flint.fmpz_mpoly],
 ) -> bool:
-    """Tell whether f and z are both their common part times what was divided by."""
+    """Return whether f and z are their common part times denominators."""
     parts = [proportional(h, common) or bool(quotient(h, common, factors)) for h in (f, z)]
     return all(parts)
 
@@ -74,7 +74,7 @@ def are_products(
 def quotient(
     f: flint.fmpz_mpoly, z: flint.fmpz_mpoly, factors: Sequence[flint.fmpz_mpoly]
 ) -> list[flint.fmpz_mpoly]:
-    """Return factors whose product times z is f, up to a number; empty if there are none."""
+    """Return factors with product f/z, up to a number; empty if there are none."""
     if f == 0 or z == 0:
         return []
     content = z.content()
@@ -127,7 +127,7 @@ class Directly:
         self.items = [i for i in items if i.is_direct]
 
     def derives(self, zeros: Sequence[flint.fmpz_mpoly], formula: Formula) -> bool:
-        """Tell whether the formula follows where these polynomials are 0."""
+        """Return whether the formula follows where these polynomials are 0."""
         match formula:
             case Equation():
                 return all(self._zero(zeros, f) for f in differences(formula))
@@ -169,7 +169,7 @@ class Directly:
 
 
 def is_positive(formula: Formula) -> bool:
-    """Tell whether Coq can derive a formula where it does not decide whether two elements are equal."""
+    """Return whether Coq can derive a formula where it does not decide whether two elements are equal."""
     match formula:
         case Equation():
             return True
@@ -183,7 +183,7 @@ def is_positive(formula: Formula) -> bool:
 
 
 def has_cases(formula: Formula) -> bool:
-    """Tell whether a hypothesis says that some polynomials are 0, or others, or …"""
+    """Return whether a hypothesis is a disjunction of systems of equations."""
     match formula:
         case Equation():
             return True
@@ -260,7 +260,7 @@ class Items:
     def hints(
         self, formulas: Iterable[Formula], items: Sequence[CertificateItem], p: int
     ) -> ItemsInCoq:
-        """Return the items for Coq, with hints where it would not see by itself what they say."""
+        """Return the items for Coq, with hints where Coq needs them."""
         numerators = self.terms.numerators
         found = {str(f): f for f in tops(formulas)}.values()
         stripped = {}
@@ -294,7 +294,7 @@ def _texts(names: Numerators, texts: Sequence[str]) -> str:
 
 
 def _steps(names: Numerators, steps: Sequence[Mapping[str, Any]], known: int) -> str:
-    """Return the steps of a proof by contradiction for Coq, where so many polynomials are known to be 0."""
+    """Return the steps of a proof by contradiction in Coq, from this number of vanishing polynomials."""
     if not steps:
         raise MismatchError("a list of steps is empty")
     step, rest = steps[0], steps[1:]

@@ -36,7 +36,7 @@ _TYPED += ' Notation "x <> y :> A" := (~ @eq A x y) (only printing) : type_scope
 
 
 class NotJudgedError(HFieldError, RuntimeError):
-    """Coq has said nothing about a theorem; the message says why."""
+    """Coq gave no verdict on a theorem; the message says why."""
 
 
 class CoqMissingError(NotJudgedError, OSError):
@@ -45,7 +45,7 @@ class CoqMissingError(NotJudgedError, OSError):
 
 @dataclass(frozen=True)
 class Judged:
-    """What Coq says of theorems: their propositions as it prints them, or why it ``rejected`` one."""
+    """Coq's verdict on theorems: their propositions as printed, or the reason why one was ``rejected``."""
 
     propositions: tuple[str, ...] = ()
     rejected: str = ""
@@ -71,7 +71,7 @@ class Coqc:
 
     @cached_property
     def folder(self) -> Path:
-        """Where ``coqc`` runs. Raises OSError, and NotJudgedError where others may put another there."""
+        """The folder in which ``coqc`` runs. Raises OSError, and NotJudgedError if others can write there."""
         above = Path(gettempdir()).resolve()
         for parent in (above, *above.parents):
             mode = parent.stat().st_mode
@@ -96,12 +96,14 @@ class Coqc:
 
     @property
     def environment(self) -> dict[str, str]:
-        """Ours, but Coq finds no libraries other than its own: one of others could have the name of ours."""
+        """This process's environment without Coq's search paths, so that only Coq's own libraries are
+        found.
+        """
         nowhere = str(self.folder / "none")
         return {**os.environ, "COQPATH": "", "XDG_DATA_HOME": nowhere, "XDG_DATA_DIRS": nowhere}
 
     def compile_library(self) -> None:
-        """Compile what stands in every file, once. Raises :class:`NotJudgedError` where that fails."""
+        """Compile the common part of all files, once. Raises :class:`NotJudgedError` if that fails."""
         if self._has_library:
             return
         status, _, errors = self._run(LIBRARY, library())
@@ -110,7 +112,7 @@ class Coqc:
         self._has_library = True
 
     def judge(self, theorems: Sequence[Theorem]) -> Judged:
-        """Compile theorems, and have Coq print what it accepts if it accepts them all without an axiom.
+        """Compile theorems, and let Coq print them and the axioms that they use.
 
         Raises :class:`NotJudgedError` where Coq neither does so nor finds that evidence shows nothing.
         """

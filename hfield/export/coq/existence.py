@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
-    """Prove existence by terms that serve for all values of what is given."""
+    """Prove existence by terms that work for all values of the given unknowns."""
     lemma = f"{j.name}_instance"
     trees = _trees(j, evidence["terms"])
     instance, known = _instance(j, trees, [], evidence["proof"])
@@ -74,7 +74,7 @@ def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
 
 
 def _there(j: Judgement, sentence: Sentence, trees: Mapping[str, Node]) -> list[str]:
-    """Return the tactics that name what exists, when it is known that it serves."""
+    """Return the tactics that name the witnesses of an existence."""
     terms = Terms(sentence.given, [], j.setting.constants)
     named = [terms.term(trees[n]).inner for n, _ in sentence.terms.ordered if n in trees]
     return [*(f"exists {text}." for text in named), "first [exact known | tauto]."]
@@ -83,7 +83,7 @@ def _there(j: Judgement, sentence: Sentence, trees: Mapping[str, Node]) -> list[
 def _instance(
     j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
 ) -> tuple[Proved, Judgement]:
-    """Prove the statement with terms put in, under the hypotheses ``more``."""
+    """Prove the statement with terms substituted, under the hypotheses ``more``."""
     served = put_in(j.statement.conclusion, trees)
     whole = implication([*more, *j.statement.hypotheses], served)
     other = j.for_formula(whole)
@@ -93,7 +93,7 @@ def _instance(
 
 
 def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
-    """Prove existence by terms for each of some cases, one of which is always there."""
+    """Prove existence by terms in each of some cases, one of which always applies."""
     cases = evidence["cases"]
     conditions = [parse(case["when"]) for case in cases]
     one_of = conditions[-1]
@@ -126,7 +126,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
 
 
 def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
-    """Refute that something exists: for some values of what is given, nothing serves."""
+    """Refute existence: for some values of the given unknowns there is none."""
     field, statement = j.setting.field, j.statement
     if field is None:
         field = ring_of_data(evidence["ring"])
@@ -225,7 +225,7 @@ def _values(
 
 
 def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
-    """Refute a statement by values, in its ring, or in one field what is said of all."""
+    """Refute a statement by values in its ring, or a statement on all fields by values in one."""
     field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
         raise MismatchError("the witness is from another field")
@@ -259,7 +259,7 @@ def in_one_field(base_ring: BaseRing) -> tuple[list[str], str]:
 
 
 def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
-    """Prove existence by values, where nothing is given."""
+    """Prove existence by values, without given unknowns."""
     base_ring, sentence = j.one_ring()
     _check_listed(j.statement, base_ring)
     values = _values(j, base_ring, evidence["values"], sentence, sentence.found)

@@ -44,7 +44,7 @@ proof that the computations with evidence are right."""
 
 @dataclass(frozen=True)
 class Left:
-    """What is not in the file, and why."""
+    """A theorem left out of the file, and the reason."""
 
     name: str
     text: str
@@ -101,7 +101,7 @@ class Export:
 
 
 def library(theorems: Iterable[Theorem] = ()) -> str:
-    """Return what stands in every file, with those of the theorems that stand in one of its sections."""
+    """Return the common part of all files, with the theorems in its sections."""
     placed = [t for t in theorems if t.place]
     parts = [_piece("definitions.v")]
     for file in BY_HAND:

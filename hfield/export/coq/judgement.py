@@ -56,7 +56,7 @@ class Judgement:
         return read_statement(text, setting.field, (), setting.letters, setting.constants)
 
     def for_formula(self, node: Node, setting: Setting | None = None) -> Judgement:
-        """Return the same for another statement."""
+        """Return the same problem for another statement."""
         out = object.__new__(Judgement)
         out.name, out.setting = self.name, setting or self.setting
         out.statement = self.read(to_text(node), out.setting)
@@ -138,7 +138,7 @@ class Judgement:
         )
 
     def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
-        """Prove what a verdict says."""
+        """Prove a verdict."""
         if self.statement.ordered is not None:
             raise NotCoveredError("moduli and comparisons over ordered fields")
         by = {PROVED: self.proved, REFUTED: self.refuted, VACUOUS: self.vacuous}
@@ -224,7 +224,7 @@ def _check_facts(
 
 
 def _directly(j: Judgement, sentence: Sentence, read: Items) -> bool:
-    """Tell whether the items show the statement without dividing by anything."""
+    """Return whether the items prove the statement without division."""
     usable = [i for i in read.items if not i.characteristic and i.denominators <= {1, -1}]
     goal = sentence.conclusion
     for h in reversed(sentence.hypotheses):
@@ -319,7 +319,7 @@ def _divisors(setting: Setting) -> tuple[int, ...]:
 
 
 def _is_definite(setting: Setting) -> bool:
-    """Tell whether t*t + 4*a and b are negative rationals."""
+    """Return whether t*t + 4*a and b are negative rationals."""
     try:
         a, t, b = (Fraction(text) for text in setting.constants)
     except ValueError:

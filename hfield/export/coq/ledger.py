@@ -65,7 +65,7 @@ def theorem_name(claim: Claim, kind: str, number: int) -> str:
 
 
 def _propositions(claim: Claim) -> Iterator[tuple[str, Proposition]]:
-    """Run through the propositions that a claim is made of, as printed and as corrected."""
+    """Yield the propositions of a claim, as printed and as corrected."""
     seen = set()
     for kind, whole in (("", claim.as_printed), ("corrected", claim.corrected)):
         for part in _parts(whole):
@@ -92,7 +92,7 @@ def _parts(proposition: Proposition | None) -> Iterator[Proposition]:
 
 
 def _is_candidate(part: Proposition) -> bool:
-    """Tell whether a proposition is decided for all fields in a way that a theorem could state."""
+    """Return whether a proposition is decided for all fields in a way that a theorem could state."""
     decision = part.decide(None)
     if isinstance(part, Presented):
         return decision.verdict in (PROVED, REFUTED)
@@ -111,4 +111,4 @@ def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
 
 
 class NoStatementError(NotCoveredError):
-    """A proposition that cannot be translated, since it is not written in the language."""
+    """A proposition cannot be translated, since it is not in the language."""

@@ -15,7 +15,7 @@ COMPUTED = "vm_cast_no_check (@eq_refl bool true)."
 
 @dataclass(frozen=True)
 class Proved:
-    """A proposition with its proof, and what has to stand before it."""
+    """A proposition with its proof and the lemmas that must precede it."""
 
     text: str
     proof: tuple[str, ...]
@@ -52,7 +52,7 @@ class Sentence:
 
     @property
     def names(self) -> list[str]:
-        """What the hypotheses are called."""
+        """The names of the hypotheses."""
         return [f"h{n}" for n in range(len(self.hypotheses))]
 
     @property

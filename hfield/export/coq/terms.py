@@ -26,7 +26,7 @@ ATOM, APPLICATION, PRODUCT, SUM = range(4)
 
 
 class NotCoveredError(HFieldError, NotImplementedError):
-    """A certificate that is not translated; the message says what is not covered."""
+    """A certificate is not translated; the message says what is not covered."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ class Terms:
 
     @property
     def ordered(self) -> list[tuple[str, Sort]]:
-        """The unknowns, quaternions first, those that are found after those that are given."""
+        """The unknowns: given ones before existential ones, quaternions first."""
         out: list[tuple[str, Sort]] = []
         for sort in (Sort.QUATERNION, Sort.SCALAR):
             for group in (self.given, self.found):
@@ -267,7 +267,7 @@ class Terms:
 
 
 def _applied(function: str, data: str, x: Term, value: Any, size: int = 0) -> Term:
-    """Return the value of a function of one argument, of the size of that if no other is given."""
+    """Return the application of a function to one argument, with the argument's size by default."""
     text, data, size = f"{function} {x.inner}", f"{data} {x.argument}", size or x.size
     return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
 

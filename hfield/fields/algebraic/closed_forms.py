@@ -46,7 +46,7 @@ class Closed:
 
     @cached_property
     def bounds(self) -> Bounds | None:
-        """Bounds of degree and height; None if the number is not seen to be algebraic."""
+        """Bounds of degree and height; None if the number is not recognised as algebraic."""
         from hfield.fields.algebraic.heights import bounds
 
         return bounds(self.expr)
@@ -130,13 +130,13 @@ class Closed:
             return evaluate(expr)
 
     def is_zero(self) -> bool:
-        """Tell whether the number is 0. Raises :class:`UndecidedError` for some transcendental ones."""
+        """Return whether the number is 0. Raises :class:`UndecidedError` for some transcendental ones."""
         known = self.bounds
         need = None if known is None else known.degree * known.height
         return bool(self.expr == 0) or self._vanishes(need)
 
     def is_real(self) -> bool:
-        """Tell whether the number is real. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
+        """Return whether the number is real. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
         if self.expr.is_real:
             return True
         known = self.bounds
@@ -146,7 +146,7 @@ class Closed:
         return self._vanishes(need, imaginary=True)
 
     def _vanishes(self, need: float | None, imaginary: bool = False) -> bool:
-        """Tell whether the number, or its imaginary part, is 0: if not, its size is at least exp(−need)."""
+        """Return whether the number, or its imaginary part, is 0: if not, its size is at least exp(−need)."""
         if need is not None and need / log(2) > MAX_BITS:
             need = None  # too much to prove it 0 this way, but it may be seen not to be
         small = TRANSCENDENTAL_BITS if need is None else ceil(need / log(2)) + 2

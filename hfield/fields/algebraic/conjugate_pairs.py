@@ -87,7 +87,7 @@ def trace_and_norm(root: Numbered, short: Sequence[sympy.Expr]) -> tuple[Any, An
 
 
 def _is_quadratic(value: flint.fmpq_poly, modulus: flint.fmpq_poly) -> bool:
-    """Tell whether the square is one of the 1, x over ℚ."""
+    """Return whether the square is one of the 1, x over ℚ."""
     square, top = value * value % modulus, max(value.degree(), 0)
     return bool(top == 0 or (square - value * (square[top] / value[top])).degree() < 1)
 

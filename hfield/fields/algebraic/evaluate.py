@@ -10,7 +10,7 @@ _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
 
 
 def is_known(expr: sympy.Expr) -> bool:
-    """Tell whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
+    """Return whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
     if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
         return True
     if isinstance(expr, RootOf):

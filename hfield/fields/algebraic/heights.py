@@ -19,7 +19,7 @@ from hfield.fields.algebraic.polynomial_roots import RootOf
 
 @dataclass
 class Bounds:
-    """What is known of an algebraic number: a bound of its height, and what its degree comes from.
+    """Bounds of an algebraic number: of its height and its degree.
 
     ``roots`` maps each base under a root to the degrees taken of it; ``order`` is that of a root of
     unity in whose field the cosines and sines lie; ``conjugates`` are numbers of roots of a polynomial.
@@ -48,7 +48,7 @@ def bounds(expr: sympy.Expr) -> Bounds | None:
 
 
 def _height(expr: sympy.Expr, found: Bounds) -> float | None:
-    """Return a bound of the logarithmic height; add to ``found`` what the degree comes from."""
+    """Return a bound of the logarithmic height; add the sources of the degree to ``found``."""
     if expr.is_Rational:
         return log(max(abs(int(expr.p)), int(expr.q)))
     if expr is sympy.I:

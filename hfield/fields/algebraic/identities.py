@@ -23,11 +23,13 @@ Quotient = tuple[Any, Any]  # of polynomials over ℚ
 
 
 class _TooLongError(Exception):
-    """Polynomials that are not worked out."""
+    """Polynomials too long to expand."""
 
 
 def vanishes_identically(expr: sympy.Expr) -> bool:
-    """Tell whether a sympy number, whose denominators are not 0, is seen to be 0 by the rules of a field."""
+    """Return whether a sympy number, whose denominators are not 0, is seen to be 0 by the rules of a
+    field.
+    """
     try:
         return _Variables(expr).vanish()
     except _TooLongError:
@@ -35,7 +37,7 @@ def vanishes_identically(expr: sympy.Expr) -> bool:
 
 
 def _powers(node: sympy.Expr) -> dict[sympy.Expr, sympy.Rational]:
-    """Return the bases, with exponents, of which a part is a product; {} for what is made of its arguments.
+    """Return the bases and exponents of a product; {} for other parts.
 
     A part of another kind is its own base.
     """
@@ -60,7 +62,7 @@ def _powers(node: sympy.Expr) -> dict[sympy.Expr, sympy.Rational]:
 
 
 class _Variables:
-    """The bases of radicals, and parts of other kinds, in a sympy number, each with a variable.
+    """Variables for the bases of radicals and for other parts of a sympy number.
 
     ``degrees`` has them, those first of which others are made; the variable of b is ``b^(1/degree)``.
     """
@@ -80,7 +82,7 @@ class _Variables:
         self.left = MAX_TERMS
 
     def vanish(self) -> bool:
-        """Tell whether the numerator is 0 modulo what the powers of the radicals are."""
+        """Return whether the numerator is 0 modulo the relations of the radicals."""
         top = self.quotient(self.expr)[0]
         for base in reversed(self.degrees):
             if base not in _powers(base):

@@ -110,11 +110,11 @@ class NumberInField(Closed):
         return hash(fingerprint(self.ball))
 
     def is_zero(self) -> bool:
-        """Tell whether the number is 0: it is not."""
+        """Return False: the number is not 0."""
         return False
 
     def is_real(self) -> bool:
-        """Tell whether the number is real."""
+        """Return whether the number is real."""
         is_real_field = self.root[0] < isolated_roots(self.root[1:]).real_count
         return is_real_field or self.own[0] < isolated_roots(self.own[1:]).real_count
 

@@ -22,7 +22,7 @@ MIN_DEGREE = 3  # below they are written with square roots
 
 
 class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
-    """What the three have in common."""
+    """The common part of the three kinds of roots."""
 
     is_number = is_finite = is_algebraic = True
     spelled = ""  # the function that texts call
@@ -44,7 +44,7 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
 
     @property
     def conjugates(self) -> list[int]:
-        """The numbers of the roots that it is made of."""
+        """The indices of the conjugate roots."""
         return [int(self.args[0])]
 
     def _latex(self, printer: Any) -> str:
@@ -79,7 +79,7 @@ class _OfPair(RootOf):
 
     @property
     def conjugates(self) -> list[int]:
-        """The numbers of the roots that it is made of."""
+        """The indices of the conjugate roots."""
         n = int(self.args[0])
         return [n, n + 1]
 

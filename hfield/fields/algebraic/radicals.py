@@ -27,7 +27,7 @@ def times(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
 
 
 def check_size(expr: sympy.Expr) -> None:
-    """Refuse a sympy expression that is too large. Raises :class:`TooLargeError`."""
+    """Raise :class:`TooLargeError` for a sympy expression that is too large."""
     _check_operations(int(expr.count_ops()))
 
 

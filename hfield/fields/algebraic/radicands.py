@@ -1,4 +1,4 @@
-"""Integers under square roots, up to squares: what can be computed without factoring them.
+"""Integers under square roots, modulo squares, without factoring them.
 
 √n₁, √n₂, … are linearly independent over ℚ exactly when no product nᵢ·nⱼ, i ≠ j, is a square (Besicovitch,
 1940), and that is seen by greatest common divisors and integer square roots. Factoring makes radicands
@@ -76,12 +76,12 @@ def independent(radicands: frozenset[int]) -> tuple[int, ...]:
 
 
 def odd(n: int, b: int) -> bool:
-    """Tell whether n is divisible by an odd power of b, one of the :func:`independent` numbers."""
+    """Return whether n is divisible by an odd power of b, one of the :func:`independent` numbers."""
     return n % b == 0 and remove(n, b)[0] % 2 == 1
 
 
 def is_long(radicands: Iterable[int]) -> bool:
-    """Tell whether one of the radicands may not be squarefree."""
+    """Return whether one of the radicands may not be squarefree."""
     for n in radicands:  # noqa: SIM110 (asked after every product: no generator)
         if not -PROVED_BELOW < n < PROVED_BELOW:
             return True

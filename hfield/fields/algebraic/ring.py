@@ -58,7 +58,7 @@ class AlgebraicNumbers(ValueRing):
         return self.name
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
 
     @property
@@ -148,7 +148,7 @@ class AlgebraicNumbers(ValueRing):
         return found
 
     def is_zero(self, x: Surd | Closed) -> bool:
-        """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
+        """Return whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         return not x.terms if isinstance(x, Surd) else x.is_zero()
 
     def inverse(self, x: Surd | Closed) -> Surd | Closed:
@@ -169,7 +169,7 @@ class AlgebraicNumbers(ValueRing):
         return closed_root(x, 2)
 
     def is_square(self, x: Surd | Closed) -> bool:
-        """Tell whether x is a square: in RR by its sign. No root is written down."""
+        """Return whether x is a square: in RR by its sign. No root is written down."""
         return not self.is_real or self.sign(x) >= 0
 
     def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
@@ -283,7 +283,7 @@ def _root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
 
 
 def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
-    """Return what sympy finds of the roots of an irreducible polynomial over ℚ, if that is short."""
+    """Return sympy's roots in radicals of an irreducible polynomial over ℚ, if they are short."""
     import sympy
 
     order = (g.numer() if g.denom() == 1 else flint.fmpz_poly([2])).is_cyclotomic()

@@ -157,11 +157,11 @@ class Surd(PrintedBySympy):
     # --- what it is ----------------------------------------------------------------------------
 
     def is_rational(self) -> bool:
-        """Tell whether the number is rational."""
+        """Return whether the number is rational."""
         return all(n == 1 for n in self.terms)
 
     def is_real(self) -> bool:
-        """Tell whether the number is real."""
+        """Return whether the number is real."""
         return all(n > 0 for n in self.terms)
 
     def real(self) -> Surd:

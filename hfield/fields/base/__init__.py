@@ -1,1 +1,1 @@
-"""What all rings share: protocol, registry, coercion, printing, and storage of elements and arrays."""
+"""The base of all rings: protocol, registry, coercion, printing, and storage of elements and arrays."""

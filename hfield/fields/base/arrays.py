@@ -64,13 +64,13 @@ def wrap(x: object) -> np.ndarray:
 
 
 def owned(array: np.ndarray, source: object) -> np.ndarray:
-    """Return what was made of a value, as a copy where it shares memory with the value."""
+    """Return the result, as a copy if it shares memory with the value."""
     shared = isinstance(source, np.ndarray) and np.may_share_memory(array, source)
     return array.copy() if shared else array
 
 
 def read_only(array: np.ndarray) -> np.ndarray:
-    """Return a view through which nobody changes the array; its flag cannot be set back either."""
+    """Return a read-only view whose flag cannot be reset."""
     view = array.view()
     base: object = view
     while isinstance(base, np.ndarray):
@@ -80,7 +80,7 @@ def read_only(array: np.ndarray) -> np.ndarray:
 
 
 def one_shape(arrays: list[np.ndarray]) -> list[np.ndarray]:
-    """Broadcast the coordinate arrays to one shape. Raises :class:`CoercionError` where they have none."""
+    """Broadcast the coordinate arrays to one shape. Raises :class:`CoercionError` if that is impossible."""
     try:
         shape = np.broadcast_shapes(*(a.shape for a in arrays))
     except ValueError:
@@ -92,7 +92,7 @@ def one_shape(arrays: list[np.ndarray]) -> list[np.ndarray]:
 
 
 def check_shapes(left: tuple[int, ...], right: tuple[int, ...], operation: str) -> None:
-    """Refuse two arrays of quaternions whose shapes do not broadcast, with a :class:`CoercionError`."""
+    """Raise :class:`CoercionError` if the shapes of two arrays do not broadcast."""
     try:
         np.broadcast_shapes(left, right)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Numbers enclosed in flint's balls: what can be read off an enclosure that may be made ever smaller."""
+"""Decisions from enclosures of numbers by flint's balls, at increasing precision."""
 
 from collections.abc import Callable
 from typing import Any
@@ -15,7 +15,7 @@ _lock = locks.lock()
 
 
 class precision:  # noqa: N801  # it is used as a function
-    """Work with so many bits, one thread at a time: flint has one precision for all of them.
+    """Set flint's precision for one thread at a time, since it is global.
 
     Class groups of small fields enter it a hundred times: a generator would cost them a twentieth.
     """

@@ -1,4 +1,4 @@
-"""``check_ring``: a ring of one's own, run through the axioms on samples."""
+"""``check_ring``: test a user's ring against the axioms on samples."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MULTIPLES = (1, 2, 3, 5, 7, 30, 2**31 - 1)  # of 1, none of which is 0 in charac
 
 @dataclass(frozen=True)
 class Axiom:
-    """What holds for all elements of a ring: ``holds(F, x, …)`` tells it for ``count`` of them."""
+    """An axiom of rings: ``holds(F, x, …)`` tests it on ``count`` elements."""
 
     text: str
     count: int
@@ -98,7 +98,8 @@ PROMISES = (
 
 @dataclass(frozen=True)
 class RingReport:
-    """What samples show of a ring: the axioms that ``failed``, where, and what is ``unknown``, and why.
+    """The result of testing a ring on samples: axioms that ``failed``, with the elements, and ``unknown``
+    ones with reasons.
 
     True where nothing failed, which proves nothing: there are ``samples`` elements, and no more.
     """
@@ -152,7 +153,7 @@ def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
 
 
 def _counterexample(ring: Ring, axiom: Axiom, elements: Sequence[Any], rng: Random) -> str | None:
-    """Say where an axiom fails, None where it does not. Raises UndecidedError where that is not known."""
+    """Return where an axiom fails, or None. Raises UndecidedError if that is not known."""
     small = elements[: len(SAMPLED_MULTIPLES)]
     places = [
         *product(small, repeat=min(axiom.count, 2)),

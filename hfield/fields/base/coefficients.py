@@ -1,4 +1,4 @@
-"""A polynomial handed out as its coefficients, which shows as the polynomial that it is."""
+"""Coefficients of a polynomial, displayed as the polynomial."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from hfield.fields.base.ring import Ring
 
 
 class Coefficients(tuple[Any, ...]):
-    """The coefficients of a polynomial in X over a ring, low degree first: a tuple, but for how it looks.
+    """The coefficients of a polynomial in X over a ring, low degree first: a tuple displayed as the
+    polynomial.
 
     >>> from hfield import QQ
     >>> f = Coefficients(QQ, [6, -2, 1])

@@ -71,7 +71,7 @@ def _no_quotient(x: int, y: int) -> int:
 
 
 def is_plain_array(x: object) -> TypeGuard[np.ndarray]:
-    """Tell whether x is a numpy array and not one of a library with an arithmetic of its own."""
+    """Return whether x is a numpy array and not one of a library with an arithmetic of its own."""
     kind = type(x)
     return kind.__name__ in ("ndarray", "Objects") and hasattr(x, "dtype")
 

@@ -1,4 +1,4 @@
-"""The places with a residue field, of every kind: what conics and norm forms are made small at."""
+"""The protocol of places with a residue field, at which conics and norm forms are reduced."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class FinitePlace(Protocol):
 
     @property
     def inverse_uniformiser(self) -> Any:
-        """An element of valuation −1, integral at all other places that matter."""
+        """An element of valuation −1 that is integral at all other finite places."""
 
     def valuation(self, x: Any) -> int:
         """Return the order of a nonzero element."""

@@ -1,4 +1,4 @@
-"""Names for what flint's values are: numbers, coefficients, polynomials in one or several variables."""
+"""Types of flint's values: numbers, coefficients, polynomials in one or several variables."""
 
 from fractions import Fraction
 from typing import TypeAlias

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 def is_of_sympy(x: object) -> bool:
-    """Tell whether x is an object of sympy: an expression, a matrix, an element of a domain."""
+    """Return whether x is an object of sympy: an expression, a matrix, an element of a domain."""
     return type(x).__module__.partition(".")[0] == "sympy"
 
 
 def is_expression(x: object) -> TypeGuard[sympy.Expr]:
-    """Tell whether x is an expression of sympy, its quaternions excepted."""
+    """Return whether x is an expression of sympy, its quaternions excepted."""
     if not is_of_sympy(x):
         return False
     import sympy
@@ -133,7 +133,7 @@ def _of_number_field(ring: Ring, x: Any) -> sympy.Expr:
 
 
 class _Expression:
-    """One reading: an expression walked from the top, each part that occurs again read once."""
+    """One conversion of an expression, which reads each repeated part once."""
 
     def __init__(self, ring: Ring, whole: object) -> None:
         self.ring, self.whole = ring, whole
@@ -218,7 +218,7 @@ def _is_reciprocal(x: Any) -> bool:
 
 
 def _balanced(parts: list[Any], combine: Callable[[Any, Any], Any]) -> Any:
-    """Combine parts in a tree, so that large ones meet last."""
+    """Combine parts in a balanced tree, so that large ones are combined last."""
     while len(parts) > 1:
         pairs = [combine(x, y) for x, y in zip(parts[::2], parts[1::2], strict=False)]
         parts = pairs + parts[len(parts) // 2 * 2 :]

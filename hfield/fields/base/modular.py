@@ -1,4 +1,4 @@
-"""Integers modulo n on flint: ``nmod`` below 2⁶³, ``fmpz_mod`` above. ZZ/n and GF(p) stand on it."""
+"""Integers modulo n by flint, for ZZ/n and GF(p): ``nmod`` below 2⁶³, ``fmpz_mod`` above."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Modular(ValueRing):
         return self.residue(number)
 
     def closed_form(self, x: sympy.Expr) -> flint.nmod | flint.fmpz_mod:
-        """Refuse roots and other numbers, of which there may be several or none."""
+        """Raise for roots and other closed forms, of which there may be several or none."""
         raise self.refuse(x, "of numbers only rational ones are read here")
 
     def to_sympy(
@@ -123,7 +123,7 @@ class Modular(ValueRing):
         )
 
     def is_unit(self, x: flint.nmod | flint.fmpz_mod) -> bool:
-        """Tell whether x has an inverse."""
+        """Return whether x has an inverse."""
         return gcd(int(x), self.modulus) == 1
 
     def annihilator(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod | None:
@@ -228,7 +228,7 @@ class Modular(ValueRing):
         return ResidueStorage(self, constants)
 
     def elements(self) -> Iterator[flint.nmod | flint.fmpz_mod]:
-        """Run through 0, 1, …, n − 1."""
+        """Yield 0, 1, …, n − 1."""
         return (self.residue(n) for n in range(self.modulus))
 
     def random(self, rng: Random) -> flint.nmod | flint.fmpz_mod:

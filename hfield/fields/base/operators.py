@@ -1,4 +1,4 @@
-"""The operators of elements that know their field, and fields above a ring, whose elements have them."""
+"""Operators of elements that know their field, and fields with such elements."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Element(PrintedBySympy):
 
     @abstractmethod
     def same(self, other: Self) -> bool:
-        """Tell whether an element of the same field is equal to this one."""
+        """Return whether an element of the same field is equal to this one."""
 
     def _repr_latex_(self) -> str:
         """Show the element in a notebook."""
@@ -52,7 +52,7 @@ class Element(PrintedBySympy):
         return found
 
     def coerced(self, other: object) -> Self | None:
-        """Return ``other`` as an element of the same field, None if it cannot mix in.
+        """Return ``other`` as an element of the same field, None if it has no meaning there.
 
         Raises :class:`CoercionError` for an element of another field.
         """
@@ -128,7 +128,7 @@ class Overfield(Ring[E]):
         """Return as an element of the field what the ring below reads; it raises :class:`CoercionError`."""
 
     def __call__(self, x: object) -> E:
-        """Return an element as it is, turn what the ring below reads into one, read a text.
+        """Return the element of a value: an element, a value of the ring below, or a text.
 
         Raises :class:`CoercionError`.
         """

@@ -1,4 +1,4 @@
-"""Powers by repeated squaring, which end before they fill the memory: how many bits a value takes."""
+"""Powers by repeated squaring, with a bound of the size of the result in bits."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_stored")
 
 
 def bits(x: Any) -> int:
-    """Return about how many bits ``x`` takes: a number, a polynomial, an element, or many of them.
+    """Return the approximate size in bits of a number, a polynomial, an element, or a sequence of these.
 
     >>> bits((2**100, 7))
     104
@@ -84,12 +84,12 @@ def _symbolic_bits(expr: Any) -> int:
 
 
 def is_quick(x: object, n: int) -> bool:
-    """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
+    """Return whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
     return n <= MAX_UNCHECKED_POWER or bits(x) * n <= QUICK_BITS
 
 
 def check_growth(start: int, power: object) -> None:
-    """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
+    """Raise :class:`TooLargeError` if a power grows too large; ``start`` is the size of the base in bits."""
     reached = bits(power)
     if reached > MAX_BITS and reached > TIMES * start:
         raise TooLargeError(

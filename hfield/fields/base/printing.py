@@ -87,12 +87,12 @@ def rational_json(x: Rational) -> int | str:
 
 
 def is_sum(text: str) -> bool:
-    """Tell whether a text has a plus or minus outside all parentheses, a leading sign apart."""
+    """Return whether a text has a plus or minus outside all parentheses, a leading sign apart."""
     return any(n and char in "+-−" and text[n - 1] != "^" for n, char in outside(text))
 
 
 def parentheses(text: str, style: str) -> str:
-    """Put a text into parentheses."""
+    """Parenthesise a text."""
     return rf"\left({text}\right)" if style == "latex" else f"({text})"
 
 
@@ -109,7 +109,7 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
 
 
 def from_unicode(text: str) -> str:
-    """Rewrite superscripts and roots as the grammar knows them: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
+    """Rewrite superscripts and roots for the grammar: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^({m[0].translate(_DIGITS)})", text)
     text = re.sub(r"√\s*([-−]?\d+|[^\W\d]\w*)", r"sqrt(\1)", text)
     return re.sub(r"√\s*\(", "sqrt(", text).replace("π", "pi")

@@ -67,7 +67,7 @@ class Registry:
         self._theories[name] = theory
 
     def remove(self, name: str) -> None:
-        """Remove a theory. Raises KeyError where there is none of that name."""
+        """Remove a theory. Raises KeyError if there is none of that name."""
         del self._theories[name]
 
     def theory_of(self, ring: Ring) -> Theory | None:

@@ -53,7 +53,7 @@ FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers tak
 
 @dataclass(frozen=True)
 class Fact:
-    """A fact about a ring with its reason: ``value`` is None where it is not known."""
+    """A fact about a ring with its reason; ``value`` is None if it is not known."""
 
     value: Any
     reason: str
@@ -76,7 +76,7 @@ class WithIntegers(Protocol):
 
 
 class Core(ABC, Generic[E]):
-    """A commutative ring with 1, as far as the arithmetic of its elements goes.
+    """A commutative ring with 1: the arithmetic of its elements.
 
     ``name`` is the text that :func:`hfield.ring` reads back; rings of one class are equal when their names
     are. ``order`` is None for an infinite ring, ``is_field`` where that is not known, ``gen_name`` is the
@@ -106,15 +106,15 @@ class Core(ABC, Generic[E]):
         return self(1)
 
     def is_zero(self, x: E) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x == self.zero)
 
     def equal(self, x: E, y: E) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return self.is_zero(x - y)
 
     def inverse(self, x: E) -> E:
-        """Return 1/x: by default that of 1 and −1, and what Python's ``/`` gives, if the ring has it.
+        """Return 1/x: by default for 1 and −1, and by Python's ``/`` where the ring has it.
 
         Raises :class:`NotInvertibleError` where there is none, :class:`UndecidedError` where it is not known.
         """
@@ -139,7 +139,7 @@ class Core(ABC, Generic[E]):
         return found if type(found) is type(x) and self.is_zero(found * x - self.one) else None
 
     def is_unit(self, x: E) -> bool:
-        """Tell whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
+        """Return whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
         if self.is_field and self.is_exact:
             return not self.is_zero(x)
         try:
@@ -176,20 +176,20 @@ class Core(ABC, Generic[E]):
 
     @property
     def no_field(self) -> str:
-        """Say that this is not a field, or not known to be one."""
+        """The reason why this is not a field, or not known to be one."""
         known = "not a field" if self.is_field is False else "not known to be a field"
         return f"{self.name} is {known}"
 
     def vanishes(self, x: E) -> bool:
-        """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
+        """Return whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
         return self.is_zero(x)
 
     def is_known(self, x: E) -> bool:
-        """Tell whether x is one element: elements of local fields may be known up to O(…)."""
+        """Return whether x is one element: elements of local fields may be known up to O(…)."""
         return True
 
     def agree(self, x: E, y: E) -> bool:
-        """Tell whether x = y as far as they are known, in an inexact ring up to rounding."""
+        """Return whether x = y as far as they are known, in an inexact ring up to rounding."""
         if self.is_exact:
             return self.vanishes(x - y)
         size: Any = abs
@@ -209,7 +209,7 @@ class Core(ABC, Generic[E]):
         return self.text(x)
 
     def state(self, x: E) -> object:
-        """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
+        """Return plain data for x in a pickle, which the ring reads back; by default a text."""
         return self.text(x)
 
     def __eq__(self, other: object) -> bool:
@@ -223,12 +223,14 @@ class Core(ABC, Generic[E]):
 
 
 class Named(Core[E]):
-    """What a ring reads and writes: its elements, itself as words, as data and in LaTeX."""
+    """Reading and writing: elements as text, the ring in words, as data and in LaTeX."""
 
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
     def in_words(self) -> str:
-        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
+        """Return a description of the ring, such as ``rational functions in z over ℚ``; by default its
+        name.
+        """
         return self.name
 
     @property
@@ -237,15 +239,15 @@ class Named(Core[E]):
         return None
 
     def names(self) -> dict[str, E]:
-        """What names mean in this ring's texts: its generators (GF(4)(t) has x and t)."""
+        """The names in this ring's texts and their values: its generators (GF(4)(t) has x and t)."""
         return {} if self.gen_name is None else {self.gen_name: self.gen}
 
     def functions(self) -> dict[str, Callable[..., E]]:
-        """What functions mean in this ring's texts, such as ``sqrt`` where numbers are written so."""
+        """The functions in this ring's texts, such as ``sqrt``."""
         return {}
 
     def named_constants(self, node: syntax.Node) -> syntax.Node:
-        """Return a tree in which a number that the ring knows in part is written in one way, as one call."""
+        """Return a tree with each partly known number written as one call."""
         return node
 
     def spelled_constants(self, node: syntax.Node) -> syntax.Node:
@@ -302,7 +304,7 @@ class Named(Core[E]):
         return None
 
     def to_sympy(self, x: E, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return x as an expression in symbols of the generators' names, the given ones where there are.
+        """Return x as a sympy expression in the given symbols, or in symbols with the generators' names.
 
         Raises :class:`CoercionError` where sympy has no such numbers.
         """
@@ -326,10 +328,10 @@ class Named(Core[E]):
 
 
 class Enumerated(Core[E]):
-    """What a finite ring lists, and any ring draws at random."""
+    """The elements of a finite ring, and random elements of any ring."""
 
     def elements(self) -> Iterator[E]:
-        """Run through all elements of a finite ring, 0 and 1 first."""
+        """Yield all elements of a finite ring, 0 and 1 first."""
         raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
 
     def random(self, rng: Random) -> E:
@@ -348,7 +350,7 @@ def _of_numbers_too(method: Callable[[Any, Any], Any]) -> Callable[[Any, Any], A
 
 
 class WithSquares(Core[E]):
-    """What is known of squares, of roots, and of orderings, which hang on them."""
+    """Squares, roots, orderings and the level."""
 
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
 
@@ -370,7 +372,7 @@ class WithSquares(Core[E]):
         return Fact(len(squares), f"−1 = {shown} in {self.name}{more}")
 
     def minus_one_as_squares(self) -> tuple[E, ...]:
-        """Elements, as few as the level says, whose squares add up to −1; () if not known."""
+        """Elements, as many as the level, whose squares add up to −1; () if not known."""
         return ()
 
     def sqrt(self, x: E) -> E | None:
@@ -378,7 +380,7 @@ class WithSquares(Core[E]):
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
     def is_square(self, x: E) -> bool:
-        """Tell whether x is a square, also where its roots cannot be written down."""
+        """Return whether x is a square, also where its roots cannot be written down."""
         return self.sqrt(x) is not None
 
     def roots(self, coefficients: Sequence[E]) -> list[E]:
@@ -399,7 +401,7 @@ class WithSquares(Core[E]):
         return by_square_roots(self, coefficients)
 
     def is_rootless(self, coefficients: Sequence[E]) -> bool:
-        """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
+        """Return whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
         if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):
             return False
         c, b, a = coefficients
@@ -410,7 +412,7 @@ class WithSquares(Core[E]):
 
     @property
     def orderings(self) -> Fact:
-        """How many orderings the field has (0 exactly when the level is finite)."""
+        """The number of orderings of the field (0 exactly when the level is finite)."""
         if self.level.value is None:
             return Fact(None, self.level.reason)
         if self.level.value == INFINITY:
@@ -433,7 +435,7 @@ class WithSquares(Core[E]):
 
 
 class WithRelatives(Core[E]):
-    """What belongs to a ring that is not a field, or is above another one: fractions, residues, constants."""
+    """Related rings: the field of fractions, residue rings, constants."""
 
     def euclid(self, x: E, y: E) -> tuple[E, E]:
         """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
@@ -485,7 +487,8 @@ class WithRelatives(Core[E]):
         return None
 
     def images_in(self, target: Ring) -> dict[str, Any]:
-        """Return what the names of this ring mean in another, where its own names would not tell.
+        """Return the images of this ring's generators in another ring, where their names do not determine
+        them.
 
         Raises :class:`CoercionError` where they mean nothing there.
         """
@@ -509,7 +512,7 @@ class WithArrays(Core[E]):
         return self.array(inverses).reshape(values.shape)
 
     def array_units(self, values: Any) -> np.ndarray:
-        """Return a bool array: which entries are units. Faster where a library tells at once."""
+        """Return a bool array that marks the units."""
         import numpy as np
 
         flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
@@ -522,13 +525,13 @@ class WithArrays(Core[E]):
 
 
 class WithVariables(Core[E]):
-    """What a ring with variables does with them: values put in, derivatives."""
+    """Rings with variables: substitution and derivatives."""
 
     variables: tuple[str, ...] = ()
 
     @property
     def variable_names(self) -> tuple[str, ...]:
-        """The variables for which values may be put in, and by which there are derivatives."""
+        """The variables for substitution and derivatives."""
         return self.variables
 
     @property
@@ -578,14 +581,14 @@ class WithVariables(Core[E]):
 
 
 class WithPlaces(Core[E]):
-    """What a field with places says of them, and who knows their theory."""
+    """Fields with places, and the object that computes with them."""
 
     theory: str = (
         ""  # of a field with places: the name of its theory in hfield.fields.base.registry
     )
 
     def places(self) -> Iterator[Hashable]:
-        """Run through the places of a global field without end, infinite ones first; texts read back.
+        """Yield the places of a global field without end, infinite ones first.
 
         Raises :class:`UndecidedError` for any other ring.
 

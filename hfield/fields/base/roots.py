@@ -80,7 +80,7 @@ def residue_roots(coefficients: Sequence[int], n: int) -> list[int]:
 
 
 def _power_roots(c: list[int], p: int, k: int) -> list[int]:
-    """Return the roots modulo pᵏ: modulo p first, then what lies above each, one power at a time."""
+    """Return the roots modulo pᵏ: modulo p first, then lifted one power at a time."""
     if all(x % p == 0 for x in c):
         if p > MAX_LIFTS:
             raise UndecidedError(f"every number is a root modulo {p}")
@@ -171,7 +171,7 @@ def monic(ring: Core[E], coefficients: Sequence[E]) -> list[E]:
 
 
 def distinct(ring: Core[E], factors: list[list[E]]) -> list[list[E]]:
-    """Return factors without those that come again."""
+    """Return factors without repetitions."""
     found: list[list[E]] = []
     for f in factors:
         if not any(len(f) == len(g) and all(map(ring.equal, f, g)) for g in found):
@@ -216,7 +216,7 @@ def added(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
 
 
 def quadratic_divisors(ring: WithSquares[E], f: Sequence[E]) -> Iterator[tuple[E, E]]:
-    """Run through the (t, n) for which x² − t·x + n divides a polynomial over a field, not 0, each once."""
+    """Yield the (t, n) for which x² − t·x + n divides a polynomial over a field, not 0, each once."""
     factors = ring.irreducible_factors(f)
     yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
     roots = [-g[0] for g in factors if len(g) == 2]

@@ -1,4 +1,4 @@
-"""Rings whose elements are values that compare, hash and pickle by themselves."""
+"""Rings whose elements are plain values that compare, hash and pickle."""
 
 from collections.abc import Hashable
 
@@ -7,14 +7,14 @@ from hfield.fields.base.ring import E, Ring
 
 
 class ValueRing(Ring[E]):
-    """A ring of such values: each stands for itself."""
+    """A ring whose elements are stored as they are."""
 
     def is_zero(self, x: E) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x == 0)
 
     def equal(self, x: E, y: E) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return bool(x == y)
 
     def key(self, x: E) -> Hashable:

@@ -1,4 +1,4 @@
-"""Names of variables: which may stand for one, and which read like something else."""
+"""Names of variables: which are allowed, and which have another meaning."""
 
 import re
 

@@ -263,7 +263,7 @@ class WithAngles(Ring[E]):
         )
 
     def functions(self) -> dict[str, Callable[..., E]]:
-        """Cosine, sine and tangent of sums of multiples of the angles, besides the other functions."""
+        """Cosine, sine and tangent of integer combinations of the angles, and the other functions."""
         circular = {name: syntax.OfTrees(self._function(name)) for name in ("cos", "sin", "tan")}
         return {**super().functions(), **circular}
 

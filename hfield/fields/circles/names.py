@@ -25,7 +25,7 @@ def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:
 
 
 def read_circles(base: Ring, parts: Sequence[str]) -> Ring:
-    """Return K(cos(t), sin(t), …) for what stands in the brackets. Raises :class:`RingError`."""
+    """Return K(cos(t), sin(t), …) from the text in the brackets. Raises :class:`RingError`."""
     what = f"{base}({','.join(parts)})"
     known = base in (QQ, RR) or isinstance(base, PrimeField)
     if not (known or hasattr(base, "modulus_over_rationals")):

@@ -165,7 +165,7 @@ class RealCircleElement(Element):
         return self._with(other, lambda x, y: x * y)
 
     def same(self, other: RealCircleElement) -> bool:
-        """Tell whether both are the same function."""
+        """Return whether both are the same function."""
         x, y, _ = self.field.together(self, other)
         return bool(x == y)
 
@@ -194,7 +194,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return shared, (RealCircles, self.base)
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return self.base.in_words().replace("over ℚ", "over the real algebraic numbers")
 
     # --- elements ------------------------------------------------------------------------------
@@ -293,11 +293,11 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
     # --- arithmetic ----------------------------------------------------------------------------
 
     def is_zero(self, x: RealCircleElement) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(self.over(x.texts).is_zero(x.inner))
 
     def equal(self, x: RealCircleElement, y: RealCircleElement) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return x.same(y)
 
     def key(self, x: RealCircleElement) -> Hashable:

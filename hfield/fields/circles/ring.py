@@ -47,7 +47,8 @@ Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
 
 
 class CircleFunctions(WithAngles[RationalFunction], FractionField):
-    """What fields of functions on circles share, above those of the rational functions in half tangents.
+    """The common part of fields of functions on circles, which are fields of rational functions in half
+    tangents.
 
     >>> from hfield import ring
     >>> F = ring("QQ(cos(t),sin(t))")
@@ -59,7 +60,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     plain: tuple[str, ...]  # the other variables
 
     def name_by_angles(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
-        """Note the angles and the other variables, and the name that they give the field."""
+        """Store the angles, the other variables, and the name of the field."""
         self.angles, self.plain = angles, plain
         pairs = [f"{f}({angle_text(*a)})" for a in angles for f in ("cos", "sin")]
         self.name = f"{base.name}({','.join((*plain, *pairs))})"
@@ -78,7 +79,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return {"kind": "circle functions", "base": self.base.data, **own}
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         pairs = tuple(f"{f}({angle_text(*a)})" for a in self.angles for f in ("cos", "sin"))
         return f"rational functions in {listed((*self.plain, *pairs))} over {blackboard(self.base.name)}"
 
@@ -196,7 +197,9 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     def _without_tangent(
         self, num: SparsePolynomial, den: SparsePolynomial, n: int
     ) -> tuple[SparsePolynomial, SparsePolynomial]:
-        """Put s/(1 + c) for the n-th tangent, (1 − c)/(1 + c) for its square; only num is odd in it."""
+        """Substitute s/(1 + c) for the n-th half tangent and (1 − c)/(1 + c) for its square; only num is
+        odd in it.
+        """
         place = len(self.plain) + n
         size = max((m[place] + 1) // 2 for p in (num, den) for m in p.to_dict())
         names = self._mixed.variables
@@ -278,7 +281,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return value
 
     def images_of_cosines(self, target: Ring, images: Mapping[str, Any]) -> dict[str, Any]:
-        """Return what cosines, sines and variables become; those without an image mean themselves."""
+        """Return the images of cosines, sines and variables; those without a given image are fixed."""
         names = self.written.variables
         return {v: target(v) if images.get(v) is None else images[v] for v in names}
 

@@ -1,4 +1,4 @@
-"""Arrays of finite field elements: galois where it is quick, numpy objects where the field is large."""
+"""Arrays of finite field elements: of galois for small fields, of numpy objects for large ones."""
 
 from __future__ import annotations
 

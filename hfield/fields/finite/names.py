@@ -91,7 +91,7 @@ def _too_large(what: str) -> str:
 
 
 def _not_a_prime_power(q: int) -> str:
-    """Say why there is no field of q elements, and which ones are near."""
+    """Return the message that there is no field of q elements, with the nearest orders."""
     expected = "a field has p^n elements, p prime"
     if q < 2:
         return f"{shorten(q, 30)} is not a prime power; {expected}, the smallest is GF(2)"

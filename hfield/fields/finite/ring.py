@@ -39,7 +39,7 @@ NAME = "x"
 
 
 class FiniteField(Ring):
-    """What GF(p) and GF(pⁿ) share: arrays of galois, made through galois's integer labels."""
+    """The common part of GF(p) and GF(pⁿ): arrays of galois, through its integer labels."""
 
     order: int
     degree: int
@@ -47,7 +47,7 @@ class FiniteField(Ring):
     parse_limit = FINITE_LIMIT
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return f"the finite field of {shorten(self.order)} elements"
 
     @property
@@ -192,7 +192,7 @@ class ExtensionField(FiniteField):
         return self.context(number % self.characteristic)
 
     def closed_form(self, x: sympy.Expr) -> flint.fq_default:
-        """Refuse roots and other numbers, of which there may be several or none."""
+        """Raise for roots and other closed forms, of which there may be several or none."""
         raise self.refuse(x, f"expected rational numbers and the generator {NAME}")
 
     def to_sympy(self, x: flint.fq_default, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
@@ -202,11 +202,11 @@ class ExtensionField(FiniteField):
         return polynomial_in(symbol(NAME, symbols), map(int, x.to_list()))
 
     def is_zero(self, x: flint.fq_default) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x.is_zero())
 
     def equal(self, x: flint.fq_default, y: flint.fq_default) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return bool(x == y)
 
     def key(self, x: Hashable) -> Hashable:
@@ -240,7 +240,7 @@ class ExtensionField(FiniteField):
         return self.level_of(self.minus_one_as_squares())
 
     def minus_one_as_squares(self) -> tuple[flint.fq_default, ...]:
-        """Return one or two elements whose squares add up to −1: first 0, then every x is tried."""
+        """Return one or two elements whose squares add up to −1."""
         for x in self.elements():
             y = self.sqrt(self.context(-1) - x * x)
             if y is not None:
@@ -255,11 +255,11 @@ class ExtensionField(FiniteField):
 
     @cached_property
     def tables(self) -> tables.ElementTables:
-        """What a small field knows by heart: its sums, products and inverses, of labels."""
+        """Tables of a small field: sums, products and inverses of labels."""
         return tables.tables(self)
 
     def elements(self) -> Iterator[flint.fq_default]:
-        """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
+        """Yield the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
         return (self.from_label(n) for n in range(self.order))
 
     def random(self, rng: Random) -> flint.fq_default:
@@ -297,7 +297,7 @@ def modulus_text(coefficients: list[int], style: str = "plain") -> str:
 
 
 def is_galois(x: object) -> bool:
-    """Tell whether x is a galois array or scalar, without importing galois."""
+    """Return whether x is a galois array or scalar, without importing galois."""
     return hasattr(type(x), "irreducible_poly")
 
 

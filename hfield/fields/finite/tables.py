@@ -1,4 +1,4 @@
-"""Elements over a small GF(pⁿ) as four labels: products and sums are looked up."""
+"""Storage of elements over a small GF(pⁿ) as four labels, with tables of products and sums."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class ElementTables:
 
 
 def tables(field: ExtensionField) -> ElementTables:
-    """Work out the tables: powers of a generator, and sums digit by digit."""
+    """Compute the tables: powers of a generator, and sums digit by digit."""
     p, q = field.characteristic, field.order
     elements = list(field.elements())
     powers = _powers(field, elements)
@@ -70,7 +70,7 @@ def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int
 
 
 class Labels(Compact[LabelTuple]):
-    """Elements over a small GF(pⁿ) as four labels; products and sums are looked up."""
+    """Storage of elements over a small GF(pⁿ) as four labels, with tables of products and sums."""
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -138,7 +138,7 @@ class Labels(Compact[LabelTuple]):
         return row[w], row[x], row[y], row[z]
 
     def is_zero(self, p: LabelTuple) -> bool:
-        """Tell whether p = 0."""
+        """Return whether p = 0."""
         return p == (0, 0, 0, 0)
 
     def key(self, p: LabelTuple) -> LabelTuple:

@@ -1,1 +1,3 @@
-"""k(t): Hilbert symbols, residue fields, conics, common slots, what is inseparable."""
+"""Rational function fields k(t): Hilbert symbols, residue fields, conics, common slots, inseparable
+extensions.
+"""

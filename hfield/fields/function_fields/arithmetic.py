@@ -61,7 +61,7 @@ Evidence = Mapping[str, Any]
 
 
 class FunctionArithmetic(GlobalField):
-    """The arithmetic of k(t): what k = GF(q), q odd or even, and k = ℚ have in common."""
+    """The common arithmetic of k(t) for k = GF(q), q odd or even, and k = ℚ."""
 
     ring: FunctionField
 
@@ -120,7 +120,7 @@ class FunctionArithmetic(GlobalField):
     def residue_forms(
         self, form: Sequence[RationalFunction]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
-        """Run through infinity and the polynomials in the coefficients, over QQ or where they are linear."""
+        """Yield infinity and the prime divisors of the coefficients, over QQ or where they are linear."""
         F = self.ring
         polynomials = (p for c in form for p in (c.num, c.den))
         for place in (FunctionPlace(F), *prime_divisors(F, polynomials)):
@@ -147,7 +147,7 @@ class OverOdd(FunctionArithmetic):
         return through_slot(self.ring, outer, inner, e, self._conic_point)
 
     def traceless_root(self, form: NormalForm, s: RationalFunction) -> Coordinates | None:
-        """Return x by a common slot of (a, b) for a and s; there is one if there is an x."""
+        """Return x from a common slot of (a, b) for a and s, which exists if x does."""
         c = Constants(form.a, self.ring.zero, form.b)
         e = common_slot_functions(self.ring, c, [c.a, s])
         return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
@@ -180,7 +180,9 @@ class OverEven(FunctionArithmetic):
         return artin_schreier(self.ring, x)
 
     def has_root_at(self, place: FunctionPlace, t: RationalFunction, n: RationalFunction) -> bool:
-        """Tell whether x² − t·x + n has a root there; x² + n has its root in every division algebra."""
+        """Return whether x² − t·x + n has a root in the completion; x² + n has one in every division
+        algebra.
+        """
         return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
 
     def of_trace_one(self, form: NormalForm, n: RationalFunction) -> Coordinates | None:

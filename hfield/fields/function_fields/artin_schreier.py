@@ -28,7 +28,7 @@ TRIALS = 3_000
 
 
 def has_solution_at(at: ResidueField, m: RationalFunction) -> bool:
-    """Tell whether y² + y = m has a solution in the completion: poles go, one by one, by squares there."""
+    """Return whether y² + y = m has a solution in the completion, by removing poles one after the other."""
     while m.num != 0 and (order := at.valuation(m)) <= 0:
         lead = at.reduce(m * at.uniformiser**-order)
         if order == 0:
@@ -64,7 +64,7 @@ def of_trace_one(field: FunctionField, form: NormalForm, m: RationalFunction) ->
 
 
 def _pairs(field: FunctionField) -> Iterator[tuple[Any, Any]]:
-    """Run through pairs of polynomials, not both 0, at random and of growing degree."""
+    """Yield random pairs of polynomials, not both 0, of growing degree."""
     rng, t = Random(1), field.gen
 
     def polynomial(size: int) -> Any:

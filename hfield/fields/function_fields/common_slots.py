@@ -1,4 +1,4 @@
-"""Common slots over GF(q)(t), q odd, and ℚ(x): an e for which all (x, e) ramify at given places alone.
+"""Common slots over GF(q)(t), q odd, and ℚ(x): an e such that all (x, e) ramify only at given places.
 
 Over GF(q) it is built, as over number fields, from local classes, by weak approximation and one new
 prime. It is divisible by the primes that have to divide it, and cofactors are tried that are squares
@@ -39,7 +39,7 @@ SameClass = Callable[[NormalForm, NormalForm], bool]
 
 @dataclass(frozen=True)
 class _Local:
-    """Conditions on e at a prime π: its valuation, 0 or 1, and whether e/π^valuation is a square there."""
+    """Local conditions on e at a prime π: its valuation, 0 or 1, and whether e/π^valuation is a square."""
 
     kappa: ResidueField
     valuation: int
@@ -173,7 +173,7 @@ def _remainder(
 
 
 def _fits_at_new_primes(field: FunctionField, numbers: list[Polynomial], u: Polynomial) -> bool:
-    """Tell whether the numbers, units there, are squares at all primes that divide u to odd order."""
+    """Return whether the numbers, units there, are squares at all primes that divide u to odd order."""
     for p, exponent in u.factor()[1]:
         if exponent % 2:
             kappa = ResidueField(field, field.quotient(field.one.num, p).den)
@@ -203,7 +203,7 @@ def searched_slot(
 
 
 def _small_pairs(ring: FunctionField) -> Iterator[tuple[RationalFunction, RationalFunction]]:
-    """Run through pairs of small polynomials over ℚ, not both 0."""
+    """Yield pairs of small polynomials over ℚ, not both 0."""
     seen: list[Any] = []
     for x in _small(ring):
         seen.append(x)
@@ -213,7 +213,7 @@ def _small_pairs(ring: FunctionField) -> Iterator[tuple[RationalFunction, Ration
 
 
 def _small(ring: FunctionField) -> Iterator[RationalFunction]:
-    """Run through small polynomials, 0 and 1 first."""
+    """Yield small polynomials, 0 and 1 first."""
     yield ring.zero
     yield ring.one
     digits = [ring(x) for x in (0, 1, -1, 2)]

@@ -1,4 +1,4 @@
-"""Finite extensions F[u]/(f) of fields of rational functions, as far as arithmetic goes, and their names."""
+"""Finite extensions F[u]/(f) of rational function fields: arithmetic and names."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ MAX_DEGREE = 20
 
 
 class ExtensionElement(Element):
-    """An element Σ cₙ·uⁿ of F[u]/(f): as many coefficients in F as the degree of f. Immutable."""
+    """An element Σ cₙ·uⁿ of F[u]/(f), with deg f coefficients in F. Immutable."""
 
     __slots__ = ("coefficients",)
 
@@ -60,7 +60,7 @@ class ExtensionElement(Element):
         return self.field.reduced(product)
 
     def same(self, other: ExtensionElement) -> bool:
-        """Tell whether both are the same element."""
+        """Return whether both are the same element."""
         return self.coefficients == other.coefficients
 
 
@@ -107,7 +107,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return {"kind": "extension", "base": self.base.data, **own}
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return self._words
 
     @property
@@ -139,11 +139,11 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return self._constant(self.base(x))
 
     def is_zero(self, x: ExtensionElement) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return all(map(self.base.is_zero, x.coefficients))
 
     def equal(self, x: ExtensionElement, y: ExtensionElement) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return bool(x == y)
 
     def key(self, x: ExtensionElement) -> Hashable:
@@ -171,7 +171,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
     @property
     def level(self) -> Fact:
-        """1 where it is 1 below; else not known."""
+        """The level: 1 if it is 1 in F; otherwise not known."""
         known = self.base.level
         if known.value == 1:
             return Fact(1, f"it is that of {self.base.name}; there {known.reason}")

@@ -203,11 +203,11 @@ class FunctionFieldIdeal:
         return bool(value.num == 0 or (value / self.x).den.degree() == 0)
 
     def is_integral(self) -> bool:
-        """Tell whether all elements are polynomials."""
+        """Return whether all elements are polynomials."""
         return bool(self.x.den.degree() == 0)
 
     def is_principal(self) -> bool:
-        """Tell that there is a generator; all ideals have one."""
+        """Return True: all ideals are principal."""
         return True
 
     def norm(self) -> int | Fraction:
@@ -241,13 +241,13 @@ class FunctionFieldIdeal:
 
     @property
     def sort_key(self) -> tuple[Any, ...]:
-        """What ideals are sorted by."""
+        """The sort key of ideals."""
         label: Any = self.integers.field.base.label  # type: ignore[attr-defined]
         parts = ([label(c) for c in reversed(p.coeffs())] for p in (self.x.num, self.x.den))
         return self.degree, *parts
 
     def is_prime(self) -> bool:
-        """Tell whether the generator is an irreducible polynomial."""
+        """Return whether the generator is an irreducible polynomial."""
         found = self.factorisation()
         return len(found) == 1 and found[0][1] == 1
 
@@ -278,7 +278,7 @@ def residue_field(prime: FunctionFieldIdeal) -> PolynomialResidueField:
 
 
 def prime_ideal(integers: PolynomialIntegers, x: object) -> FunctionFieldIdeal:
-    """Return what a user gives as a prime. Raises :class:`RingError` for what is none."""
+    """Return a prime from user input. Raises :class:`RingError` for anything else."""
     found = integers.ideal(x)
     if not found.is_prime():
         raise RingError(

@@ -45,7 +45,7 @@ class FunctionPlace:
         return {"kind": "prime polynomial", "coefficients": [_json(c) for c in self.poly.coeffs()]}
 
     def norm(self) -> int:
-        """Return the number of residues. Raises :class:`UndecidedError` where they are infinitely many."""
+        """Return the order of the residue field. Raises :class:`UndecidedError` if it is infinite."""
         q = self.field.base.order
         if q is None:
             raise UndecidedError(f"the residue field at {self} is infinite")
@@ -85,14 +85,14 @@ def place_of_functions(field: FunctionField, place: object) -> FunctionPlace:
 
 
 def prime_divisors(field: FunctionField, polynomials: Iterable[Polynomial]) -> list[FunctionPlace]:
-    """Return the monic irreducible factors of some polynomials, each once, in the order they are met."""
+    """Return the distinct monic irreducible factors of some polynomials."""
     factors = (p for poly in polynomials for p, _ in poly.factor()[1])
     monic = (field.quotient(field.one.num, p).den for p in factors)
     return list(dict.fromkeys(FunctionPlace(field, p) for p in monic))
 
 
 def all_places(field: FunctionField) -> Iterator[FunctionPlace]:
-    """Run through the places of k(t), k finite: infinity, then irreducible polynomials by degree."""
+    """Yield the places of k(t), k finite: infinity, then irreducible polynomials by degree."""
     if field.base.order is None:
         raise UndecidedError(
             f"the places of {field} are not listed; its elements name those that matter"

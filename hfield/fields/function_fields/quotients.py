@@ -81,7 +81,7 @@ class RationalFunction(Element):
         return bool(self.num != 0)
 
     def same(self, other: RationalFunction) -> bool:
-        """Tell whether both are the same function."""
+        """Return whether both are the same function."""
         return bool(self.num == other.num and self.den == other.den)
 
 
@@ -105,20 +105,20 @@ class FractionField(Overfield[RationalFunction]):
         """Return num/den in lowest terms; den is not 0."""
 
     def product_of(self, polynomials: Iterable[AnyPolynomial | None]) -> RationalFunction:
-        """Return the product of the polynomials among what stands for places."""
+        """Return the product of the polynomials in a list of places."""
         product = prod((p for p in polynomials if p is not None), start=self._one)
         return self.quotient(product, self._one)
 
     def is_one(self, poly: AnyPolynomial) -> bool:
-        """Tell whether a polynomial is 1."""
+        """Return whether a polynomial is 1."""
         return bool(poly == self._one)
 
     def is_zero(self, x: RationalFunction) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return bool(x.num == 0)
 
     def equal(self, x: RationalFunction, y: RationalFunction) -> bool:
-        """Tell whether x = y."""
+        """Return whether x = y."""
         return bool(x == y)
 
     def inverse(self, x: RationalFunction) -> RationalFunction:

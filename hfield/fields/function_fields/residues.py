@@ -54,7 +54,7 @@ class ResidueField:
 
     @cached_property
     def order(self) -> int | None:
-        """How many elements there are; None for infinitely many."""
+        """The number of elements; None if it is infinite."""
         return None if self.base.order is None else int(self.base.order) ** self.degree
 
     @property
@@ -114,7 +114,7 @@ class ResidueField:
         return x.xgcd(self.modulus)[1] % self.modulus
 
     def is_one(self, x: Polynomial) -> bool:
-        """Tell whether x = 1."""
+        """Return whether x = 1."""
         return bool(x == self.one)
 
     def power(self, x: Polynomial, n: int) -> Polynomial:
@@ -127,7 +127,7 @@ class ResidueField:
         return result
 
     def is_square(self, x: Polynomial) -> bool:
-        """Tell whether x is a square."""
+        """Return whether x is a square."""
         if self.order is None:
             return self.sqrt(x) is not None
         if self.order % 2 == 0 or x == 0:

@@ -79,7 +79,7 @@ class FunctionField(FractionField):
         return {"kind": "rational functions", "base": self.base.data, "variables": [self.gen_name]}
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return f"rational functions in {self.gen_name} over {blackboard(self.base.name)}"
 
     @property
@@ -116,7 +116,9 @@ class FunctionField(FractionField):
         return self.base.zero if x.num == 0 else self.base_element(x.num.leading_coefficient())
 
     def images_in(self, target: Ring) -> dict[str, Any]:
-        """Return nothing: the variable keeps its name. Raises :class:`CoercionError` where it has none."""
+        """Return {}: the variable keeps its name. Raises :class:`CoercionError` if the other ring has no
+        such name.
+        """
         variable, kept = self.gen_name, target.names()
         same = not isinstance(target, FunctionField) or target.gen_name == variable
         if variable in kept and same and target.order is None:
@@ -250,7 +252,7 @@ class FunctionField(FractionField):
         return polynomial_integers(self).ideal(x)
 
     def places(self) -> Iterator[Hashable]:
-        """Run through the places over a finite field: infinity, then polynomials by degree."""
+        """Yield the places over a finite field: infinity, then polynomials by degree."""
         from hfield.fields.function_fields.places import all_places
 
         return all_places(self)

@@ -57,7 +57,7 @@ class FunctionStorage(CommonDenominatorStorage):
         return quotient(w, d), quotient(x * m, d), quotient(y * k, d), quotient(z * m * k, d)
 
     def names(self) -> dict[str, object]:
-        """Return the constants, and what puts fractions in lowest terms."""
+        """Return the constants, and the function that reduces fractions to lowest terms."""
         tools = {"element": self._field.quotient, "one": self._one, "lowest": self._lowest}
         return super().names() | self._constants | tools
 
@@ -67,7 +67,9 @@ class FunctionStorage(CommonDenominatorStorage):
         return [f"return ({listed}, d) if d == one else lowest({listed}, d)"]
 
     def _lowest(self, *fraction: Polynomial) -> FractionTuple:
-        """Put polynomials over one denominator, which is the last, in lowest terms, and make that monic."""
+        """Reduce polynomials over a common denominator, the last entry, to lowest terms, with monic
+        denominator.
+        """
         one = self._one
         common = fraction[-1]
         for f in fraction[:-1]:

@@ -100,7 +100,7 @@ def ramified_places_functions(field: FunctionField, form: NormalForm) -> tuple[F
 
 
 def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
-    """Tell whether two algebras of characteristic not 2 have the same residues at all places."""
+    """Return whether two algebras of characteristic not 2 have the same residues at all places."""
     for v in _poles_and_zeros(field, *form.constants, *other.constants):
         kappa, x = tame_residue(form.a, form.b, v)
         _, y = tame_residue(other.a, other.b, v)
@@ -112,7 +112,7 @@ def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> 
 def same_class_rational_functions(
     field: FunctionField, form: NormalForm, other: NormalForm
 ) -> bool:
-    """Tell whether two algebras over ℚ(x) are isomorphic: by residues, and then by a value."""
+    """Return whether two algebras over ℚ(x) are isomorphic: by residues, and then by a value."""
     return same_residues(field, form, other) and _same_at_a_point(field, form, other)
 
 

@@ -106,14 +106,14 @@ def _obstruction(
 
 
 def _points(field: FunctionField, count: int) -> Iterator[FunctionPlace]:
-    """Run through the points 0, 1, −1, 2, … of the line, as places."""
+    """Yield the points 0, 1, −1, 2, … of the line, as places."""
     for n in range(count):
         for c in (n, -n)[: 1 + (n > 0)]:
             yield FunctionPlace(field, (field.gen - field(c)).num)
 
 
 def _isotropic_at(coefficients: list[RationalFunction], point: FunctionPlace) -> bool:
-    """Tell whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
+    """Return whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
     at = residues_at(point)
     parts: tuple[list[Any], list[Any]] = [], []
     for x in coefficients:
@@ -128,7 +128,7 @@ def _isotropic_at(coefficients: list[RationalFunction], point: FunctionPlace) ->
 def _quadratic(
     field: FunctionField, a: RationalFunction, b: RationalFunction, f: RationalFunction
 ) -> tuple[RationalFunction, ...] | None:
-    """Answer for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
+    """Solve for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
     if f.num.degree() > 2:
         return None
     n, linear, m = (QQ(f.num[k]) for k in range(3))
@@ -173,7 +173,7 @@ def _searched(
 
 
 def _candidates(field: FunctionField, f: RationalFunction) -> Iterator[RationalFunction]:
-    """Run through polynomials with small coefficients of at most half the degree of f, simple ones first."""
+    """Yield polynomials with small coefficients of at most half the degree of f, simple ones first."""
     size = max(1, int(f.num.degree()) // 2) + 1
     for bound in (0, 1, 2, 3):
         for coefficients in itertools.product(range(-bound, bound + 1), repeat=size):
@@ -186,6 +186,6 @@ def _candidates(field: FunctionField, f: RationalFunction) -> Iterator[RationalF
 
 
 def _may_be_norm(field: FunctionField, p: RationalFunction, rest: RationalFunction) -> bool:
-    """Tell whether some rational points do not forbid that rest is a norm from the field of √p."""
+    """Return whether rest may be a norm from the field of √p, judged at some rational points."""
     form = [field.one, field.zero - p, field.zero - rest]
     return all(_isotropic_at(form, c) for c in (FunctionPlace(field), *_points(field, 3)))

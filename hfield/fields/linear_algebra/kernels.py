@@ -1,4 +1,4 @@
-"""Linear algebra over a base ring, as far as kernels go."""
+"""Kernels and solutions of linear systems over a base ring."""
 
 from hfield.errors import NotInvertibleError
 from hfield.fields.base.ring import Ring
@@ -58,7 +58,7 @@ def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
 
 
 def _lonely_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
-    """Turn ``(0 … x … 0)``, x no zero divisor, into ``(0 … 1 … 0)``: both say the same."""
+    """Replace an equation ``(0 … x … 0)``, x not a zero divisor, by the equivalent ``(0 … 1 … 0)``."""
     for row in rows:
         support = [i for i, x in enumerate(row) if not ring.is_zero(x)]
         if len(support) == 1 and ring.annihilator(row[support[0]]) is None:

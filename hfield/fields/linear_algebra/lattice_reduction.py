@@ -1,4 +1,4 @@
-"""Lattices reduced by LLL, and forms whose majorant is changed at random until a zero is short.
+"""Lattice reduction by LLL, and isotropic vectors of forms by random majorants.
 
 A form that is good at every prime has a zero among small vectors of a lattice, reduced for the sum of the
 absolute values of its terms, or for what automorphisms of the form over ℝ and ℂ make of this majorant.

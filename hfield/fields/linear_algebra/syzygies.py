@@ -72,7 +72,7 @@ def modulo(n: int, rows: list[list[int]], width: int) -> list[list[int]]:
 def _clear(
     n: int, rows: list[list[int]], columns: list[list[int]], pivot: list[int], step: int
 ) -> int:
-    """Clear the row and the column of the entry ``pivot[step]``; return what has become of it."""
+    """Clear the row and the column of the entry ``pivot[step]``; return the new entry."""
     while True:
         for c in range(step + 1, len(pivot)):
             if pivot[c]:

@@ -1,1 +1,1 @@
-"""Local fields: completions of global fields at finite places, elements known up to some digit."""
+"""Local fields: completions of global fields at finite places, with elements of finite precision."""

@@ -26,7 +26,7 @@ TRIES = 2_000
 
 
 class CompletionArithmetic(GlobalField):
-    """The arithmetic of a completion, which asks that of the field it completes, ``below``."""
+    """The arithmetic of a completion, by that of the completed field, ``below``."""
 
     ring: Completion
 
@@ -43,7 +43,7 @@ class CompletionArithmetic(GlobalField):
 
 
 class LocalArithmetic(CompletionArithmetic):
-    """The arithmetic of a completion, by that of the field it completes: constants stand for their classes.
+    """The arithmetic of a completion, by that of the global field on representatives of square classes.
 
     A constant that is known up to O(πⁿ) is replaced by its value, after the digits were counted that its
     class hangs on. All division algebras are isomorphic (Voight, *Quaternion Algebras*, theorem 13.3.11).
@@ -77,7 +77,8 @@ class LocalArithmetic(CompletionArithmetic):
         return self.below.unit_and_prime(Constants(a, t, b), self.ring.place) is not None
 
     def _check_classes(self, c: Constants) -> None:
-        """Check that square classes are known; a plane with a zero for one number serves for all then.
+        """Check that square classes are known, so that a hyperbolic plane for one representative works for
+        all.
 
         Raises :class:`UndecidedError` naming the digits.
         """

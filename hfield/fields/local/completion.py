@@ -1,4 +1,4 @@
-"""What the completions of a global field share: their elements are elements of that field, first of all."""
+"""The common part of completions of a global field, whose exact elements are those of that field."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Completion(Overfield[E]):
-    """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
+    """The completion of ``global_field`` at ``place``.
 
     Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field, and
     texts mean what they mean there.
@@ -44,7 +44,7 @@ class Completion(Overfield[E]):
         return self.global_field.place_data(place)
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return self._words
 
     def from_below(self, x: object) -> E:
@@ -68,11 +68,11 @@ class Completion(Overfield[E]):
         return self.exact(self.global_field.gen) if self.gen_name else super().gen
 
     def names(self) -> dict[str, E]:
-        """What names mean in the global field."""
+        """The names of the global field and their values."""
         return {name: self.exact(x) for name, x in self.global_field.names().items()}
 
     def functions(self) -> dict[str, Callable[..., E]]:
-        """What functions mean in the global field."""
+        """The functions of the global field."""
         return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
 
     def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
@@ -87,7 +87,7 @@ class Completion(Overfield[E]):
         return lifted
 
     def places(self) -> Iterator[Hashable]:
-        """Run through the places: there is one."""
+        """Yield the only place."""
         yield self.place
 
     def random(self, rng: Random) -> E:

@@ -40,12 +40,12 @@ class LocalElement(Element):
 
     @property
     def is_exact(self) -> bool:
-        """Whether this is one element, known exactly."""
+        """Whether the element is known exactly."""
         return self.precision is None
 
     @property
     def has_value(self) -> bool:
-        """Whether some digit that is not 0 is known, so that this is not 0."""
+        """Whether a nonzero digit is known, so that the element is not 0."""
         return not self.field.global_field.is_zero(self.value)
 
     def valuation(self) -> int:
@@ -64,7 +64,9 @@ class LocalElement(Element):
         return self.field.order_of(self.value) if self.has_value else self.precision
 
     def digits(self) -> int | None:
-        """Return how many digits are known from the first that is not 0; None for all of them."""
+        """Return the relative precision: the number of known digits from the first nonzero one; None for
+        exact elements.
+        """
         return None if self.precision is None else self.precision - (self.least_valuation() or 0)
 
     def plus(self, other: LocalElement) -> LocalElement:
@@ -94,7 +96,7 @@ class LocalElement(Element):
         return LocalElement(self.field, self.field.global_field.inverse(self.value), precision)
 
     def same(self, other: LocalElement) -> bool:
-        """Tell whether both are the same set."""
+        """Return whether both have the same digits and the same precision."""
         equal: bool = self.field.global_field.equal(self.value, other.value)
         return equal and self.precision == other.precision
 

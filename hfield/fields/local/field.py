@@ -59,7 +59,9 @@ class LocalField(Completion[LocalElement]):
 
     @property
     def square_digits(self) -> int:
-        """How many digits of a nonzero element tell its square class, where the characteristic is not 2."""
+        """The number of digits of a nonzero element that determine its square class, in characteristic not
+        2.
+        """
         return 2 * self.doubling + 1
 
     def order_of(self, x: Scalar) -> int:
@@ -127,7 +129,7 @@ class LocalField(Completion[LocalElement]):
         return y
 
     def is_zero(self, x: LocalElement) -> bool:
-        """Tell whether x is 0. Raises :class:`UndecidedError` for O(πⁿ), which may be 0."""
+        """Return whether x is 0. Raises :class:`UndecidedError` for O(πⁿ), which may be 0."""
         if x.has_value:
             return False
         if x.precision is None:
@@ -138,11 +140,11 @@ class LocalField(Completion[LocalElement]):
         )
 
     def is_known(self, x: LocalElement) -> bool:
-        """Tell whether x is one element, without an O(…)."""
+        """Return whether x is one element, without an O(…)."""
         return x.is_exact
 
     def vanishes(self, x: LocalElement) -> bool:
-        """Tell whether x is 0 as far as its digits are known."""
+        """Return whether x is 0 as far as its digits are known."""
         return not x.has_value
 
     def inverse(self, x: LocalElement) -> LocalElement:
@@ -150,7 +152,7 @@ class LocalField(Completion[LocalElement]):
         return x.inverse()
 
     def is_square(self, x: LocalElement) -> bool:
-        """Tell whether x is a square. Raises :class:`UndecidedError` naming the digits that it takes."""
+        """Return whether x is a square. Raises :class:`UndecidedError` with the needed precision."""
         return square_root(self, x, 1) is not None
 
     def sqrt(self, x: LocalElement) -> LocalElement | None:
@@ -221,7 +223,7 @@ class LocalField(Completion[LocalElement]):
 
 
 class _NamedConstants:
-    """Puts ``O(v, πⁿ)`` for numbers with unknown digits into one tree, whose nodes may be shared."""
+    """Replaces numbers with unknown digits by ``O(v, πⁿ)`` in a tree with shared nodes."""
 
     def __init__(self, field: LocalField) -> None:
         self.field = field

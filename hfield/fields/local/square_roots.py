@@ -52,7 +52,7 @@ def square_root(F: LocalField, x: LocalElement, digits: int) -> LocalElement | N
 
 
 def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
-    """Answer in characteristic 2 for what has no root among the rational functions."""
+    """Return the square root in characteristic 2 of an element without a root in the global field."""
     if x.is_exact:
         return None  # k is perfect, so that x = u² + t·v² is a square only if v = 0
     slope = _derivative(x.value)
@@ -120,7 +120,7 @@ def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: i
 
 
 def minus_one(F: LocalField) -> tuple[LocalElement, ...]:
-    """Return as few elements as the level says whose squares add up to −1."""
+    """Return as many elements as the level whose squares add up to −1."""
     root = F.sqrt(-F.one)
     if root is not None:
         return (root,)

@@ -48,7 +48,7 @@ def check_refinements(
 
 
 def _multiplied(F: LocalField, x: LocalElement, digits: int) -> Iterator[tuple[int, Scalar]]:
-    """Yield factors that take x to all numbers in it, and the digits of x that fix what each changes."""
+    """Yield factors that map x to all numbers with its digits, and the precision that fixes each factor."""
     known = x.digits()
     if known is not None:
         for m in range(known, digits):
@@ -57,7 +57,9 @@ def _multiplied(F: LocalField, x: LocalElement, digits: int) -> Iterator[tuple[i
 
 
 def _added(F: LocalField, x: LocalElement) -> Iterator[tuple[int, Scalar]]:
-    """Yield what takes x to all numbers in it when added, up to y² + y, and the precision that fixes each."""
+    """Yield summands, modulo y² + y, that map x to all numbers with its digits, and the precision that
+    fixes each.
+    """
     if x.precision is not None:
         for m in range(x.precision, 1):
             for r in F.residues.over_prime_field():

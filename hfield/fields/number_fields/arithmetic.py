@@ -101,7 +101,7 @@ class NumberFieldArithmetic(GlobalField):
             return through_slot(self.ring, outer, inner, self._slot(inner, outer.a), self._point)
 
     def _known(self, *numbers: FieldElement) -> AbstractContextManager[None]:
-        """Let the primes of some numbers serve for what is made of them: a slot has one new prime."""
+        """Use the known primes of some numbers for products of them: a slot has one new prime."""
         return known_primes({p for x in numbers for p in candidates(self.ring, x)}, "")
 
     def _slot(self, c: Constants, s: FieldElement) -> FieldElement:

@@ -53,7 +53,7 @@ class EmbeddedElement(Element):
         return EmbeddedElement(self.field, self.value * other.value)
 
     def same(self, other: EmbeddedElement) -> bool:
-        """Tell whether both are the same number."""
+        """Return whether both are the same number."""
         return bool(self.value == other.value)
 
 
@@ -70,7 +70,7 @@ class InfiniteCompletion(Completion[EmbeddedElement]):
         return EmbeddedElement(self, value)
 
     def is_zero(self, x: EmbeddedElement) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return self.global_field.is_zero(x.value)
 
     def inverse(self, x: EmbeddedElement) -> EmbeddedElement:
@@ -101,7 +101,7 @@ class InfiniteCompletion(Completion[EmbeddedElement]):
         return self.principal(self.exact(root))
 
     def is_square(self, x: EmbeddedElement) -> bool:
-        """Tell whether x is a square."""
+        """Return whether x is a square."""
         return True
 
     def principal(self, y: EmbeddedElement) -> EmbeddedElement:
@@ -136,7 +136,7 @@ class RealCompletion(InfiniteCompletion):
         return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
 
     def is_square(self, x: EmbeddedElement) -> bool:
-        """Tell whether x is not negative."""
+        """Return whether x is not negative."""
         return self.sign(x) >= 0
 
     def principal(self, y: EmbeddedElement) -> EmbeddedElement:

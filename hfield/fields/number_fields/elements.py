@@ -148,7 +148,7 @@ class FieldElement(PrintedBySympy):
     # --- what it is ----------------------------------------------------------------------------
 
     def is_rational(self) -> bool:
-        """Tell whether the number is rational."""
+        """Return whether the number is rational."""
         return bool(self.poly.degree() < 1)
 
     def norm(self) -> flint.fmpq:

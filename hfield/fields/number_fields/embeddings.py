@@ -22,7 +22,7 @@ REJECTING_PRIMES = 12
 
 
 class ComplexEmbeddings(IsolatedRoots):
-    """The roots of the polynomial of a field, and the values of others there."""
+    """The complex embeddings of a field: roots of its polynomial, and values of elements there."""
 
     def value(self, poly: flint.fmpq_poly, index: int, bits: int) -> flint.acb:
         """Return a ball around the value of a polynomial at a root."""
@@ -114,7 +114,7 @@ def _tests(field: NumberField) -> list[tuple[int, flint.nmod_poly]]:
 
 
 def _square_at(x: FieldElement, p: int, g: flint.nmod_poly) -> bool:
-    """Tell whether x may be a square, from its residue in GF(p)[s]/g."""
+    """Return whether x may be a square, from its residue in GF(p)[s]/g."""
     den = int(x.poly.denom()) % p
     if not den:
         return True

@@ -97,7 +97,7 @@ def from_ramification_number_field(
 
 
 def is_local_square(place: Place, x: FieldElement) -> bool:
-    """Tell whether x ≠ 0 is a square in the completion at a place."""
+    """Return whether x ≠ 0 is a square in the completion at a place."""
     if isinstance(place, RealPlace):
         return place.sign(x) > 0
     if not isinstance(place, PrimeIdeal):
@@ -113,7 +113,7 @@ def is_local_square(place: Place, x: FieldElement) -> bool:
 def _fits(
     numbers: Iterable[FieldElement], e: FieldElement, P: PrimeIdeal, ramified: Collection[Place]
 ) -> bool:
-    """Tell whether all symbols (a, e) at a prime ideal are as they should be."""
+    """Return whether all symbols (a, e) at a prime ideal have the wanted values."""
     return all((hilbert_symbol_number_field(a, e, P) < 0) == (P in ramified) for a in numbers)
 
 
@@ -141,7 +141,7 @@ def _classes(
 
 
 def _is_unramified(P: PrimeIdeal, a: FieldElement) -> bool:
-    """Tell whether the square root of a is unramified at a prime ideal above 2."""
+    """Return whether the square root of a is unramified at a prime ideal above 2."""
     v, unit = P.unit_part(a)
     return v % 2 == 0 and _defect(P, unit) >= 2 * P.e
 
@@ -160,7 +160,7 @@ def _square_classes(P: PrimeIdeal) -> list[tuple[FieldElement, int]]:
 
 
 def _lifts(field: NumberField, classes: Classes, signs: Sequence[int]) -> Iterator[FieldElement]:
-    """Run through numbers with the given classes, and signs at the real places, at random but small."""
+    """Yield random small numbers with given residue classes, and given signs at the real places."""
     import numpy as np
 
     rng, places = random.Random(1), field.infinite_places()

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 class MaximalOrder:
-    """The ring of integers of a number field, as what ideals compute with."""
+    """The ring of integers of a number field, for the arithmetic of ideals."""
 
     def __init__(self, field: NumberField) -> None:
         self.field = field
@@ -44,7 +44,7 @@ class MaximalOrder:
         self.trace_form = flint.fmpq_mat(n, n, traces)
 
     def prime_ideal(self, x: object) -> PrimeIdeal:
-        """Return a prime ideal of the field as it is. Raises :class:`RingError` for all else."""
+        """Return a prime ideal of the field unchanged. Raises :class:`RingError` for anything else."""
         if isinstance(x, PrimeIdeal) and x.field == self.field:
             return x
         raise RingError(
@@ -128,7 +128,7 @@ def _generators(text: str) -> list[str]:
 
 
 def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
-    """Return the coordinates of a basis of the ideal of one thing; nothing for 0."""
+    """Return the coordinates of a basis of the ideal of one generator or ideal; nothing for 0."""
     if isinstance(x, FractionalIdeal):
         if x.ring != frame.field:
             raise RingError(
@@ -270,12 +270,12 @@ class FractionalIdeal:
         return all(c.q == 1 for c in (row * self.rows.inv()).entries())
 
     def contains(self, other: object) -> bool:
-        """Tell whether an ideal lies in this one: whether this one divides it."""
+        """Return whether an ideal lies in this one: whether this one divides it."""
         b = ideal(self.ring, other)
         return all(c.q == 1 for c in (b.rows * self.rows.inv()).entries())
 
     def is_integral(self) -> bool:
-        """Tell whether all elements are integers of the field."""
+        """Return whether all elements are integers of the field."""
         return self.denominator == 1
 
     def norm(self) -> int | Fraction:
@@ -284,7 +284,9 @@ class FractionalIdeal:
         return size.numerator if size.denominator == 1 else size
 
     def valuation(self, prime: object) -> int:
-        """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
+        """Return the exponent of a prime ideal in this ideal. Raises :class:`RingError` if it is not
+        prime.
+        """
         P = self.frame.prime_ideal(prime)
         return int(min(P.valuation(x) for x in self.basis))
 

@@ -100,7 +100,7 @@ def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
 
 
 def dedekind(whole: flint.fmpz_poly, p: int) -> bool:
-    """Tell by Dedekind's criterion whether ℤ[s] is maximal at p (Cohen, theorem 6.1.4)."""
+    """Return whether ℤ[s] is maximal at p, by Dedekind's criterion (Cohen, theorem 6.1.4)."""
     from hfield.fields.base.residue_polynomials import residues
 
     reduced = residues(p, whole.coeffs())

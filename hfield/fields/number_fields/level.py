@@ -36,7 +36,7 @@ def level(field: NumberField) -> Fact:
 
 
 def minus_one_as_squares(field: NumberField) -> tuple[FieldElement, ...]:
-    """Return as few numbers as the level says whose squares add up to −1, if some are small; else ()."""
+    """Return as many numbers as the level whose squares add up to −1, if small ones exist; else ()."""
     if field.signature[0]:
         return ()
     root = field.sqrt(field(-1))

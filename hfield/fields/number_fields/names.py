@@ -17,7 +17,7 @@ _SUM = re.compile(rf"QQ?\(([^,]*(?:{NUMBER})[^,]*)\)")
 
 
 def read_number_field(s: str) -> Ring | None:
-    """Return the number field that a text without spaces names, other than ℚ(√d); None for other texts.
+    """Return the number field named by a text without spaces, other than ℚ(√d); None for other texts.
 
     Nor does it read ``QQ[x]/(f)`` for a reducible f in x. Raises :class:`RingError`.
     """
@@ -39,6 +39,6 @@ def read_number_field(s: str) -> Ring | None:
 
 
 def _is_quadratic(text: str) -> bool:
-    """Tell whether a text is one square root, whose field is a quadratic one."""
+    """Return whether a text is one square root, whose field is a quadratic one."""
     m = re.fullmatch(r"sqrt\((.*)\)", text)
     return text == "I" or (m is not None and is_balanced(m[1]))

@@ -52,20 +52,20 @@ class RealPlace(_InfinitePlace):
 
 
 class ComplexPlace(_InfinitePlace):
-    """A complex place; ``index`` goes on after the real ones."""
+    """A complex place; its ``index`` follows those of the real places."""
 
 
 Place = PrimeIdeal | RealPlace | ComplexPlace
 
 
 def all_places(field: NumberField) -> Iterator[Place]:
-    """Run through the places: infinite ones, then prime by prime."""
+    """Yield the places: infinite ones, then prime by prime."""
     yield from field.infinite_places()
     yield from finite_places(field)
 
 
 def finite_places(field: NumberField) -> Iterator[PrimeIdeal]:
-    """Run through the prime ideals without end, prime by prime."""
+    """Yield the prime ideals without end, prime by prime."""
     for p in primes():
         yield from primes_above(field, p)
 

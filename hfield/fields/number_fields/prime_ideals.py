@@ -74,7 +74,7 @@ class PrimeIdeal:
 
     @property
     def generators(self) -> tuple[FieldElement, FieldElement]:
-        """Return p and a second number that generate the ideal: ``pi``, made an integer elsewhere too."""
+        """Return p and a second generator of the ideal: ``pi``, made integral at all primes."""
         scale = remove(integral_generator(self.field)[0], self.p)[1]
         return self.field(self.p), self.pi * flint.fmpq(scale ** self.pi.poly.degree())
 

@@ -1,4 +1,5 @@
-"""The algebra O/pO of an order of a number field, taken apart into local algebras, one a prime above p.
+"""Decompose the algebra O/pO of an order of a number field into local algebras, one for each prime above
+p.
 
 Where ℤ[s] is not maximal at p, its primitive idempotents tell the primes (Buchmann and Lenstra; H. Cohen,
 *A Course in Computational Algebraic Number Theory*, section 6.2).
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 
 def by_idempotents(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
-    """Take the algebra O/pO apart."""
+    """Decompose the algebra O/pO by idempotents."""
     algebra = _ResidueAlgebra(order)
     out = [_at_idempotent(algebra, e) for e in algebra.idempotents(algebra.prime_count())]
     out.sort(key=lambda P: (P.f, P.e, P.order.coordinates(P.pi)[0][::-1]))

@@ -82,7 +82,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return list(map(rational_json, coefficients(x)))
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return f"the number field {blackboard(self.name)} of degree {self.degree}"
 
     @property
@@ -97,13 +97,13 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     @property
     def signature(self) -> tuple[int, int]:
-        """How many real and how many complex places there are."""
+        """The numbers of real and of complex places."""
         real = self.embeddings.real_count
         return real, self.embeddings.count - real
 
     @property
     def principal(self) -> int:
-        """The number of the embedding that tells principal square roots: the last real one, if any."""
+        """The index of the embedding that defines principal square roots: the last real one, if any."""
         return max(self.embeddings.real_count, 1) - 1
 
     @cached_property
@@ -206,7 +206,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return lambda x: evaluate(self, x.poly, root)
 
     def functions(self) -> dict[str, Callable[..., FieldElement]]:
-        """The square root of what has one in the field."""
+        """The functions of the field: sqrt, for squares of the field."""
         return {"sqrt": self._sqrt_here}
 
     def _sqrt_here(self, x: FieldElement) -> FieldElement:
@@ -218,7 +218,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return y
 
     def is_zero(self, x: FieldElement) -> bool:
-        """Tell whether x is 0."""
+        """Return whether x is 0."""
         return not x.poly
 
     def key(self, x: FieldElement) -> Hashable:
@@ -253,7 +253,9 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return irreducible_factors(self, coefficients)
 
     def _is_principal(self, y: FieldElement) -> bool:
-        """Tell whether y has positive real part at the principal embedding, or real part 0 and lies above."""
+        """Return whether y has positive real part at the principal embedding, or real part 0 and lies
+        above.
+        """
         if not y:
             return True
         index, bits = self.principal, 64
@@ -269,7 +271,9 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
             bits *= 2
 
     def _is_negative(self, x: FieldElement, index: int) -> bool:
-        """Tell whether x is a negative real number at a complex embedding: a real root of its polynomial."""
+        """Return whether x is a negative real number at a complex embedding: a real root of its
+        polynomial.
+        """
         value = self.embeddings.value(x.poly, index, 256)
         if not value.imag.contains(0) or not value.real < 0:
             return False
@@ -376,7 +380,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return discriminant(self)
 
     def is_integral(self, x: FieldElement) -> bool:
-        """Tell whether x is an algebraic integer."""
+        """Return whether x is an algebraic integer."""
         return all(c.q == 1 for c in self(x).minimal_polynomial())
 
     def primes_above(self, p: int) -> tuple[PrimeIdeal, ...]:
@@ -410,7 +414,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return (*self.real_places(), *(ComplexPlace(self, real + n) for n in range(complex_)))
 
     def places(self) -> Iterator[Place]:
-        """Run through the places without end: the infinite ones, then prime by prime."""
+        """Yield the places without end: the infinite ones, then prime by prime."""
         from hfield.fields.number_fields.places import all_places
 
         return all_places(self)

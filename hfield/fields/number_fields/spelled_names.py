@@ -41,7 +41,7 @@ _POLYNOMIAL = "for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
 
 @dataclass(frozen=True)
 class NamedNumber:
-    """An algebraic number: its text, its minimal polynomial over ℚ, and its value with so many bits."""
+    """A named algebraic number: its text, its minimal polynomial over ℚ, and its value to any precision."""
 
     text: str
     polynomial: flint.fmpq_poly
@@ -131,7 +131,7 @@ class SpelledField(NumberField):
 
     @cached_property
     def principal(self) -> int:
-        """The number of the embedding that gives the numbers their values, or the complex conjugate ones."""
+        """The index of the embedding that gives the named numbers their values, up to complex conjugation."""
         bits = 64
         while True:
             value = self._value(bits)
@@ -144,7 +144,7 @@ class SpelledField(NumberField):
             bits *= 2
 
     def names(self) -> dict[str, FieldElement]:
-        """What is a name among the numbers: zeta5, I."""
+        """The numbers with names: zeta5, I."""
         return {text: x for text, x in self.parts.items() if text.isidentifier()}
 
     def functions(self) -> dict[str, Callable[..., FieldElement]]:
@@ -215,7 +215,7 @@ class SpelledField(NumberField):
         )
 
     def products(self, x: FieldElement) -> Iterator[tuple[flint.fmpq, tuple[int, ...]]]:
-        """Run through the products of powers of the numbers in x: coefficients, not 0, and exponents."""
+        """Yield the terms of x as a polynomial in the named numbers: nonzero coefficients, and exponents."""
         change, exponents = self._monomials
         row = flint.fmpq_mat(1, self.degree, coefficients(x))
         return (
@@ -275,7 +275,7 @@ def adjoined(s: str, inner: str) -> NumberField:
 
 
 def _is_number(text: str) -> bool:
-    """Tell whether a text is one number with a name."""
+    """Return whether a text is one number with a name."""
     m = re.fullmatch(r"(?:sqrt|cbrt|root)\((.*)\)", text)
     return is_balanced(m[1]) if m else not re.search("[-+*/^]", text)
 

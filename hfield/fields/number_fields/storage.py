@@ -1,4 +1,6 @@
-"""Elements over a number field: ints where the degree is small, else polynomials over one denominator."""
+"""Storage of elements over a number field: ints for small degree, else polynomials over a common
+denominator.
+"""
 
 from __future__ import annotations
 
@@ -101,7 +103,7 @@ class IntegralPolynomials(CommonDenominatorStorage):
         return element(w, d), element(x * m, d), element(y * k, d), element(z * (m * k), d)
 
     def names(self) -> dict[str, object]:
-        """Return the constants, and what puts fractions in lowest terms."""
+        """Return the constants, and the function that reduces fractions to lowest terms."""
         tools = {"n": self._modulus, "element": self._element, "lowest": self._lowest}
         return super().names() | self._constants | tools
 

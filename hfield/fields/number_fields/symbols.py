@@ -30,7 +30,7 @@ DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with room for what is divided by uniform
 
 
 class DyadicPrime:
-    """A prime ideal above 2, with what square classes of its completion need.
+    """A prime ideal above 2, with data for the square classes of its completion.
 
     Numbers are written ϖᵛ·u, up to squares, with ϖ the inverse of ``P.inverse_uniformiser``.
     """
@@ -162,7 +162,7 @@ class DyadicPrime:
         return x.pow_mod(2**self.prime.f - 2, self.prime.residue)
 
     def _has_trace_0(self, x: flint.nmod_poly) -> bool:
-        """Tell whether t² + t = x has a root: whether the trace of x is 0."""
+        """Return whether t² + t = x has a root: whether the trace of x is 0."""
         total = x
         for _ in range(self.prime.f - 1):
             x = x * x % self.prime.residue
@@ -225,7 +225,7 @@ def _norm(prime: PrimeIdeal, residue: flint.fmpz_mod_poly) -> int:
 
 
 def candidates(field: NumberField, x: FieldElement) -> set[int]:
-    """Return the primes below all prime ideals at which x has a valuation other than 0, and maybe others.
+    """Return primes that include all those below prime ideals at which x has nonzero valuation.
 
     Raises :class:`UnfactoredError`.
     """
@@ -233,7 +233,7 @@ def candidates(field: NumberField, x: FieldElement) -> set[int]:
 
 
 def norms(field: NumberField, x: FieldElement) -> tuple[int, int, int]:
-    """Return integers whose primes are the candidates: a norm, what x is divided by, and what divides it."""
+    """Return integers with the candidate primes as divisors: a norm, a denominator, and the content."""
     scale, _ = integral_generator(field)
     terms = [c / flint.fmpq(scale) ** k for k, c in enumerate(x.poly.coeffs())]
     below = math.lcm(*(int(c.q) for c in terms))
@@ -242,7 +242,7 @@ def norms(field: NumberField, x: FieldElement) -> tuple[int, int, int]:
 
 
 def finite_ramified(a: FieldElement, b: FieldElement, primes: set[int]) -> Iterator[PrimeIdeal]:
-    """Run through the prime ideals above the given primes with a symbol of −1."""
+    """Yield the prime ideals above the given primes at which the symbol is −1."""
     for p in sorted(primes):
         for place in primes_above(a.field, p):
             if hilbert_symbol_number_field(a, b, place) < 0:

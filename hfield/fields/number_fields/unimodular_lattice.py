@@ -41,7 +41,7 @@ from hfield.fields.quadratic_forms.minimal_conics import Vector, kernel_at
 def isometry(
     field: NumberField, source: Vector, target: Vector, primes: Iterable[int]
 ) -> list[Vector]:
-    """Return the rows of a matrix that takes a diagonal form in three variables to another over K.
+    """Return the rows of an isometry between diagonal ternary forms over K.
 
     Row n holds the image of the n-th basis vector of the source. The forms have integral coefficients, units
     outside ``primes``, which contain 2, and are isometric. Raises :class:`UndecidedError` where none was met.
@@ -89,7 +89,7 @@ def _complement(field: NumberField, form: Vector, basis: list[Vector], u: Vector
 
 
 def _last(field: NumberField, form: Vector, u: Vector, v: Vector) -> Iterator[Vector]:
-    """Run through the isotropic vectors orthogonal to u and v: two, up to factors and modulo these."""
+    """Yield the two isotropic vectors orthogonal to u and v, up to factors and modulo u and v."""
     i, j = next(
         (i, j) for i, j in itertools.combinations(range(len(u)), 2) if u[i] * v[j] - u[j] * v[i]
     )

@@ -56,7 +56,7 @@ def not_met(what: str) -> UndecidedError:
 
 
 class ZeroSearch:
-    """A lattice in Kᵐ with a diagonal form, and as many reduced bases of it as one likes.
+    """A lattice in Kᵐ with a diagonal form, and an endless supply of reduced bases of it.
 
     ``points`` are the basis at the infinite places, where the form is a sum of squares of m complex
     numbers, m after m; the largest of them is 1. With an isotropic vector ``modulo`` the lattice lies in its
@@ -144,7 +144,7 @@ class ZeroSearch:
         return real_coordinates(v, self.width * self.real)
 
     def zeros(self) -> Iterator[Vector]:
-        """Run through the zeros of the form that are met among small combinations of the reduced bases.
+        """Yield isotropic vectors of the form among small combinations of the reduced bases.
 
         The first of them, and those reduced for other majorants, at random but always the same.
         """
@@ -193,7 +193,9 @@ def _root(z: flint.acb) -> flint.acb:
 
 @cache
 def _small_combinations(rank: int) -> np.ndarray:
-    """Return vectors of entries 0, 1, −1, the first of them 1: those with few entries first."""
+    """Return vectors with entries 0, 1, −1 and first nonzero entry 1, those with few nonzero entries
+    first.
+    """
     import numpy as np
 
     blocks: list[np.ndarray] = []

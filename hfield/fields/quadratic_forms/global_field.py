@@ -1,4 +1,4 @@
-"""What structure asks of a field with places: one protocol, one object for each kind of field.
+"""The protocol of the arithmetic of fields with places, with one object for each kind of field.
 
 A kind is a class of rings that names its ``theory``: the registry has the :class:`GlobalField` of that name.
 ``docs/reference/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
@@ -60,7 +60,7 @@ def field_named_by(*things: object) -> Ring | None:
 
 
 def no_flag(ring: Ring) -> RingError:
-    """Return the error for ramification that is given by primes and a flag, over a ring other than ℚ."""
+    """Return the error for ramification given by primes and a flag over a ring other than ℚ."""
     return RingError(
         f"algebras over {shorten(ring.name)} are not made from ramified primes and a flag: expected QQ, or a "
         "number field and its places, infinite ones too"
@@ -68,7 +68,7 @@ def no_flag(ring: Ring) -> RingError:
 
 
 class GlobalField(ABC):
-    """The arithmetic of a field with places, as far as quaternion algebras over it need it.
+    """The arithmetic of a field with places, for quaternion algebras over it.
 
     Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
     J. Voight, *Quaternion Algebras*, chapters 12 and 14. What is not found in bounded time, or hangs on a
@@ -200,22 +200,22 @@ class GlobalField(ABC):
     def residue_forms(
         self, form: Sequence[Any]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
-        """Run through places with known residue fields, and the residues there of a form's coefficients.
+        """Yield places with known residue fields, and the residues of a form's coefficients there.
 
         Those of even order, then those of odd order, which are divided by a uniformiser. None by default.
         """
         return iter(())
 
     def is_anisotropic(self, form: Sequence[Any]) -> bool | None:
-        """Tell whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
+        """Return whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
         return None
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
-        """Tell whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
+        """Return whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
         return self.ramified(form) == self.ramified(other)
 
     def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
-        """Let the primes that are found in one of the constants serve for all, while this lasts."""
+        """Share the primes found in one of the constants with the others, inside the ``with``."""
         numbers = [n for form in forms for x in form.constants for n in self._to_factor(x)]
         if all(-WORD < n < WORD for n in numbers):  # these are factored at once
             return nullcontext()
@@ -247,7 +247,7 @@ class GlobalField(ABC):
         return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
     def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
-        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
+        """Return whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))
 

@@ -82,7 +82,7 @@ def half_discriminant(form: Form) -> Any:
 
 
 def minimise(conic: Conic, lattice: ConicLattice, place: FinitePlace) -> bool:
-    """Change the lattice at a place until the half-discriminant is a unit there, and return True.
+    """Change the lattice at a place until the half-discriminant is a unit there; return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with
     valuation 1, and the answer is False.
@@ -153,7 +153,7 @@ def kernel_at(kappa: FinitePlace, rows: list[Vector], columns: int) -> list[Vect
 
 
 def adapt(basis: list[Vector], kappa: FinitePlace, vectors: list[Vector]) -> list[int]:
-    """Change a basis so that lifts of the given vectors are in it; return their places."""
+    """Change a basis so that it contains lifts of the given vectors; return their indices."""
     indices: list[int] = []
     vectors = [list(v) for v in vectors]
     for v in vectors:

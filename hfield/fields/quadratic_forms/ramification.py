@@ -1,4 +1,4 @@
-"""Places, Hilbert symbols and ramification, over every field that has them here."""
+"""Places, Hilbert symbols and ramification over global fields."""
 
 from collections.abc import Hashable, Iterator
 from typing import Any
@@ -35,7 +35,7 @@ def hilbert_symbol(
 
 
 def places(ring: WithPlaces) -> Iterator[Hashable]:
-    """Run through the places of a global field, without end: infinite ones, then by size.
+    """Yield the places of a global field without end: infinite ones, then by size.
 
     Raises :class:`UndecidedError` for a ring that has no such list.
 

@@ -1,4 +1,4 @@
-"""Rational points on conics ``a·x² + b·y² = z²``, for coefficients as large as one can factor.
+"""Rational points on conics ``a·x² + b·y² = z²`` with coefficients that can be factored.
 
 Legendre's lattice: for pairwise coprime squarefree A, B, C, the integer vectors on which
 ``A·x² + B·y² + C·z²`` is a multiple of A·B·C by virtue of square roots modulo its primes. On this

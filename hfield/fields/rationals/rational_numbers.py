@@ -67,7 +67,7 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
         return int(self.p), int(self.q)
 
     def is_integer(self) -> bool:
-        """Tell whether the number is integral."""
+        """Return whether the number is integral."""
         return bool(self.q == 1)
 
     def __index__(self) -> int:
@@ -140,7 +140,7 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
     # --- sums and products, comparison -----------------------------------------------------------
 
     def _operation(name: str) -> Callable[[RationalNumber, object], Any]:  # noqa: N805
-        """Return an operation of flint's class that takes Fractions too and stays in this class."""
+        """Return an operation of flint's class that also accepts Fractions and returns this class."""
         of_flint = getattr(fmpq, name)
 
         def operation(self: RationalNumber, other: object) -> Any:

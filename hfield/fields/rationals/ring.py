@@ -30,7 +30,7 @@ _ORDERED = "squares are not negative in the usual ordering, so no sum of squares
 
 
 class _Ordered(ValueRing):
-    """What ℤ and ℚ share: exact numbers with their one ordering."""
+    """The common part of ℤ and ℚ: exact numbers with their only ordering."""
 
     characteristic = 0
 
@@ -81,7 +81,7 @@ class Integers(_Ordered):
     is_field = False
 
     def in_words(self) -> str:
-        """Say what ℤ is."""
+        """Return a description of ℤ."""
         return "the integers ℤ"
 
     def __call__(self, x: object) -> flint.fmpz:
@@ -166,7 +166,7 @@ class Rationals(_Ordered):
     theory = "rationals"
 
     def in_words(self) -> str:
-        """Say what ℚ is."""
+        """Return a description of ℚ."""
         return "the rational numbers ℚ"
 
     def place_data(self, place: object) -> dict[str, Any]:
@@ -216,7 +216,7 @@ class Rationals(_Ordered):
         return of_flint(self, flint.fmpq_poly(list(coefficients)), self)
 
     def is_rootless(self, coefficients: Sequence[flint.fmpq]) -> bool:
-        """Tell whether a polynomial has no rational root: no linear factor."""
+        """Return whether a polynomial has no rational root: no linear factor."""
         return coefficients[-1] != 0 and not rational_roots(coefficients)
 
     degree = 1
@@ -236,7 +236,7 @@ class Rationals(_Ordered):
         return FractionStorage(self, constants, (0,), lambda x: (x,), rational_number)
 
     def places(self) -> Iterator[int | str]:
-        """Run through the places: ``"inf"``, then the primes."""
+        """Yield the places: ``"inf"``, then the primes."""
         yield "inf"
         yield from primes()
 
@@ -268,7 +268,7 @@ class Residues(Modular):
         return array_storage(self, constants)
 
     def in_words(self) -> str:
-        """Say what ℤ/n is."""
+        """Return a description of ℤ/n."""
         return f"the integers modulo {shorten(self.modulus)}"
 
 

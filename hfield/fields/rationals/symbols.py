@@ -1,4 +1,4 @@
-"""Hilbert symbols over ℚ, and what follows from them: ramified places and the discriminant.
+"""Hilbert symbols over ℚ, ramified places and the discriminant.
 
 The symbol ``(a, b)_v`` is 1 when ``z² = a·x² + b·y²`` has a nonzero solution in the completion at
 v, and −1 otherwise. The formulas are those of Serre, *A Course in Arithmetic*, chapter III,
@@ -106,7 +106,8 @@ def _prime_powers(n: int) -> list[tuple[Any, int]]:
 
 
 def is_isotropic(form: Sequence[Rational]) -> bool:
-    """Tell whether a diagonal form over ℚ in at most four variables, without coefficient 0, has a zero but 0.
+    """Return whether a diagonal form over ℚ in at most four variables, without coefficient 0, has a zero
+    but 0.
 
     Three of its terms are those of a norm form on the elements of trace 0, and a fourth is of use only where
     the product of all is not a square (Hasse and Minkowski; Serre, chapter IV, theorems 6 and 8).
@@ -122,7 +123,7 @@ def is_isotropic(form: Sequence[Rational]) -> bool:
 
 
 def _is_square(n: int, v: Place) -> bool:
-    """Tell whether an integer is a square in the completion at a place of ℚ."""
+    """Return whether an integer is a square in the completion at a place of ℚ."""
     if v == INFINITE:
         return n > 0
     p = int(v)

@@ -110,7 +110,9 @@ class SeveralArithmetic(GlobalField):
         return residue(F, unit, place)
 
     def _is_trivial_even(self, form: NormalForm, place: PolynomialPlace) -> bool:
-        """Tell it for [a, b) where a has no pole: whether y² + y = a among the residues, or v(b) is even."""
+        """Return whether [a, b) is trivial, where a has no pole: y² + y = a in the residue field, or v(b)
+        is even.
+        """
         F = self.ring
         n = 0 if F.is_zero(form.a) else valuation(F, form.a, place)
         if n < 0:
@@ -125,7 +127,7 @@ class SeveralArithmetic(GlobalField):
         return artin_schreier(r.field, r.value) is not None
 
     def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
-        """Say what the residue at the first place is."""
+        """Return the residue at the first ramified place, in words."""
         place = places[0]
         at = f"the residue at {place}"
         if form.kind == "artin-schreier":
@@ -149,7 +151,7 @@ class SeveralArithmetic(GlobalField):
     def residue_forms(
         self, form: Sequence[RationalFunction]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
-        """Run through the prime polynomials in the coefficients, and infinities."""
+        """Yield the prime polynomials in the coefficients, and the infinite places."""
         F = self.ring
         for place in places_of(F, *form):
             try:
@@ -166,7 +168,7 @@ class SeveralArithmetic(GlobalField):
     # --- what is not known -----------------------------------------------------------------------
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Tell by a value that there is no zero; where there is one, none is written down."""
+        """Prove by a value that there is no zero; a zero itself is not computed."""
         F = self.ring
         if F.characteristic == 0:
             for n in range(1, POINTS):
@@ -192,7 +194,7 @@ class SeveralArithmetic(GlobalField):
         return over / under if over and under else None
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
-        """Tell that two algebras are different by the places where they ramify."""
+        """Prove that two algebras are not isomorphic, by their ramified places."""
         (found, left_open), (others, other_open) = map(self._residues, (form, other))
         if not {*found} <= {*others, *other_open} or not {*others} <= {*found, *left_open}:
             return False
@@ -202,6 +204,6 @@ class SeveralArithmetic(GlobalField):
 
 
 def _has_odd_degree(x: RationalFunction) -> bool:
-    """Tell whether a rational function has a positive odd degree, so that it is no y² + y."""
+    """Return whether a rational function has a positive odd degree, so that it is no y² + y."""
     n = int(x.num.total_degree()) - int(x.den.total_degree())
     return n > 0 and n % 2 == 1

@@ -1,4 +1,4 @@
-"""Prime polynomials of k[x, y, …], and what rational functions leave modulo them.
+"""Prime polynomials of k[x, y, …], and residues of rational functions modulo them.
 
 Where P is linear in some variable, P = c·v + d, the residue field is k(…) in the other variables, with −d/c
 for v. Elsewhere the norm down to the other variables may show that a residue is nonsquare. At infinity of a
@@ -45,7 +45,7 @@ class ResidueFieldElement:
     is_norm: bool = False
 
     def is_square(self) -> bool:
-        """Tell whether it is a square. Raises :class:`UndecidedError`."""
+        """Return whether it is a square. Raises :class:`UndecidedError`."""
         root = self.field.sqrt(self.value)
         if root is not None and self.is_norm:
             raise UndecidedError("the norm of the residue is a square, which does not decide")

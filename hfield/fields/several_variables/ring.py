@@ -50,7 +50,7 @@ class RationalFunctions(FractionField):
         return {"kind": "rational functions", "base": self.base.data, "variables": variables}
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         return f"rational functions in {listed(self.variables)} over {blackboard(self.base.name)}"
 
     @property

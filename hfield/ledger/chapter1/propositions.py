@@ -1,4 +1,4 @@
-"""What Python decides of sections 1 to 1.4.4: propositions that are no statements of the language."""
+"""Propositions of sections 1 to 1.4.4 that are not statements of the language and are decided in Python."""
 
 from hfield.checker.glossary import INDUCTION
 from hfield.fields.base.ring import INFINITY

@@ -1,4 +1,4 @@
-"""Choose between the functions for any base and their quicker variants over ℤ.
+"""Choose between the functions for any base and their faster variants over ℤ.
 
 ``general`` has every function for any rank 4n; ``rank4`` has some of them for n = 1, over ℤ. Leaving a
 function out of ``rank4`` changes times only.

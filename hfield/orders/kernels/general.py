@@ -101,7 +101,7 @@ def index(lattice: LatticeValue, other: LatticeValue) -> BaseIdeal:
 def ideal_multiples(
     ambient: AlgebraBasis, rows: fmpz_mat, ideal: BaseIdeal
 ) -> tuple[int, fmpz_mat]:
-    """Return rows over a denominator: those given, times a basis of an ideal of the base."""
+    """Return the given rows times a basis of an ideal of the base, over a denominator."""
     den, table = ambient.base.ideal_rows(ideal)
     return den, stacked(*(ambient.times_scalar(rows, c) for c in table))
 
@@ -125,7 +125,7 @@ def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
 
 
 def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
-    """Tell whether the index of an ideal in its order is the square of its norm."""
+    """Return whether the index of an ideal in its order is the square of its norm."""
     index = volume(ideal.ambient, ideal.matrix, ideal.den)
     whole = volume(order.ambient, order.matrix, order.den)
     return bool(index == ideal.norm * ideal.norm * whole)

@@ -1,4 +1,4 @@
-"""Quicker ways for lattices over ℤ, of rank 4."""
+"""Faster algorithms for lattices over ℤ of rank 4."""
 
 from __future__ import annotations
 

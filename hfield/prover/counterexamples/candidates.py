@@ -38,7 +38,7 @@ def by_weight(
     heaviest: int,
     letters: frozenset[str] = frozenset(),
 ) -> Iterator[Assignment]:
-    """Run through assignments by total weight, where ``scalars[n]`` weighs n and the first is 0.
+    """Yield assignments by total weight, where ``scalars[n]`` has weight n and the first is 0.
 
     The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
     """
@@ -52,7 +52,7 @@ def _shape(unknowns: Sequence[tuple[str, Sort]], letters: frozenset[str]) -> Sha
 
 
 def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[tuple[Any, ...]]:
-    """Run through the values of unknowns in the order of :func:`by_weight`."""
+    """Yield the values of unknowns in the order of :func:`by_weight`."""
     own = nonzero_first(scalars)
     width = sum(width for width, _ in shape)
     ends = list(accumulate(width for width, _ in shape))
@@ -67,12 +67,12 @@ def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[
 
 
 def nonzero_first(scalars: Sequence[Scalar]) -> list[Scalar]:
-    """Put 0, the first, last; and the third, −1, in front."""
+    """Reorder: the third, −1, first, and 0 last."""
     return [*scalars[2:3], *scalars[1:2], *scalars[3:], *scalars[:1]]
 
 
 def vectors(length: int, total: int, largest: int) -> Iterator[list[int]]:
-    """Run through vectors of nonnegative integers with a given sum, none above ``largest``."""
+    """Yield vectors of nonnegative integers with a given sum, none above ``largest``."""
     if total == 0:
         yield [0] * length
         return
@@ -150,7 +150,7 @@ def zero_divisors(setting: Setting) -> tuple[Coordinates, ...]:
 
 
 def pool(problem: Problem) -> list[Coordinates]:
-    """Return a few telling quaternions: 0, the basis, zero divisors, small combinations."""
+    """Return a few typical quaternions: 0, the basis, zero divisors, small combinations."""
     field = problem.ring
     zero, one = field.zero, field.one
     basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
@@ -165,7 +165,7 @@ def from_pool(
     quaternions: Sequence[Coordinates],
     scalars: Sequence[Scalar],
 ) -> Iterator[Assignment]:
-    """Run through assignments of the quaternions and scalars given, small positions first."""
+    """Yield assignments of the given quaternions and scalars, small indices first."""
     kinds = [scalars if sort is Sort.SCALAR else quaternions for _, sort in unknowns]
     names = [name for name, _ in unknowns]
     largest = max((len(kind) for kind in kinds), default=1) - 1
@@ -177,7 +177,7 @@ def from_pool(
 
 
 def prime_search(problem: Problem, p: int, limit: int, wanted: bool = False) -> Assignment | None:
-    """Search the prime field of characteristic p; a witness there is one over every extension.
+    """Search the prime field of characteristic p; its witnesses hold over every extension.
 
     Fields of one characteristic share the answer, and a search that goes further goes on from there.
     """
@@ -193,7 +193,7 @@ def _search_begun(problem: Problem, p: int, wanted: bool) -> _PrimeSearch:
 
 @dataclass
 class _PrimeSearch:
-    """A search for one truth value of one statement: how many places were tried, and what was found."""
+    """A search for one truth value of one statement: the number of points tried, and the result."""
 
     p: int
     wanted: bool
@@ -228,7 +228,7 @@ class _PrimeSearch:
 def _places(
     shape: Shape, scalars: tuple[int, ...], start: int, limit: int
 ) -> Iterator[tuple[Any, ...]]:
-    """Run through values of unknowns by weight, from the one numbered ``start`` on."""
+    """Yield values of unknowns by weight, from index ``start`` on."""
     kept = next((count for count in KEPT if limit <= count), None)
     places = _values(shape, scalars, HEAVIEST) if kept is None else _kept(shape, scalars, kept)
     return islice(places, start, limit)

@@ -44,13 +44,13 @@ FIRST_ATTEMPT_SECONDS = 0.5  # seconds for the first attempt at a proof, and for
 
 
 def quick_search(problem: Problem) -> Assignment | None:
-    """Look at a few places of the prime field: a witness there serves every extension."""
+    """Try a few points of the prime field; a witness there holds over every extension."""
     found = prime_search(problem, problem.ring.characteristic, PLACES_BEFORE)
     return None if found is None else lifted(problem.ring, found)
 
 
 def search_counterexample(problem: Problem, limit: int) -> Assignment | None:
-    """Look for a counterexample: among numbers first, then among elements of the ring."""
+    """Search for a counterexample, first among numbers, then among elements of the ring."""
     field = problem.ring
     if field.is_field:
         found = prime_search(problem, field.characteristic, limit)
@@ -62,7 +62,7 @@ def search_counterexample(problem: Problem, limit: int) -> Assignment | None:
 def solve_clauses(
     problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
 ) -> Assignment | None:
-    """Look for a counterexample by solving the hypotheses, and test it in the statement itself."""
+    """Search for a counterexample by solving the hypotheses, and test it in the statement."""
     test = Searcher(problem, RingScalars(problem.ring)).test
     quaternions = quaternions_of(problem)
     for clause in left:
@@ -77,7 +77,7 @@ def solve_clauses(
 
 
 def on_axes(clause: PolynomialClause) -> Iterator[PolynomialClause]:
-    """Run through clauses in which all variables of the conditions but one are 0."""
+    """Yield clauses in which all variables of the conditions but one are 0."""
     gens = clause.zeros[0].context().gens() if clause.zeros else ()
     used = [g for n, g in enumerate(gens) if any(z.degrees()[n] for z in clause.zeros)]
     for own in used[:MAX_AXES] if len(used) > 1 else ():
@@ -88,7 +88,7 @@ def narrowed(
     clause: PolynomialClause,
     quaternions: Sequence[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]],
 ) -> Iterator[PolynomialClause]:
-    """Run through clauses with more conditions, at whose places the clause fails too.
+    """Yield clauses with more conditions, whose counterexamples are also counterexamples of the clause.
 
     A norm is 0 where its quaternion is, and a quadratic polynomial that is never negative where its
     gradient is: those are linear conditions, which small places may all miss, as in ``norm(p + 7)``.
@@ -136,7 +136,7 @@ class _Solver:
         self.eliminated: list[tuple[int, Polynomial]] = []  # variable, what it is equal to
 
     def eliminate(self, zeros: list[Polynomial], goals: list[list[Polynomial]]) -> None:
-        """Use each condition ``c·v + rest = 0`` to express v, in place, while polynomials stay small."""
+        """Eliminate variables by conditions ``c·v + rest = 0``, in place, while polynomials stay small."""
         while True:
             found = next((hit for z in zeros for hit in self.expressions(z)), None)
             if found is None:
@@ -151,7 +151,7 @@ class _Solver:
             self.eliminated.append((n, expression))
 
     def expressions(self, z: Polynomial) -> Iterator[tuple[int, Polynomial]]:
-        """Run through the variables that a condition expresses by the others."""
+        """Yield the variables that a condition expresses by the others."""
         field = self.field
         for m, c in z.items():
             if sum(m) == 1:
@@ -161,7 +161,7 @@ class _Solver:
                     yield n, {other: d * factor for other, d in z.items() if other != m}
 
     def compose(self, f: Polynomial, n: int, g: Polynomial) -> Polynomial:
-        """Put the polynomial g in for variable n. Raises TooLargeError."""
+        """Substitute the polynomial g for variable n. Raises TooLargeError."""
         field = self.field
         out: Polynomial = {}
         for m, c in f.items():
@@ -224,7 +224,7 @@ class _Solver:
         return tangled, iter(nonzero_first(values) if tangled in self.letters else values)
 
     def roots(self, z: Polynomial, n: int) -> Iterator[Scalar]:
-        """Run through zeros of a polynomial in one variable, all of them up to degree 2."""
+        """Yield zeros of a polynomial in one variable, all of them up to degree 2."""
         field, degree = self.field, max(m[n] for m in z)
         c = [field.zero] * (degree + 1)
         for m, value in z.items():
@@ -253,7 +253,7 @@ class _Solver:
     def finish(
         self, goals: list[list[Polynomial]], values: dict[int, Scalar]
     ) -> dict[int, Scalar] | None:
-        """Choose the variables that are left so that no goal vanishes entirely."""
+        """Choose the remaining variables so that no goal vanishes entirely."""
         chosen = values.keys() | {n for n, _ in self.eliminated}
         free = [n for n in range(self.unknowns) if n not in chosen]
         left = [next(f for f in goal if f) for goal in goals]
@@ -317,7 +317,7 @@ def nonzero_place(
 def nonzero_values(
     polynomials: list[Polynomial], variables: Iterable[int], letters: set[int], field: Ring
 ) -> dict[int, Scalar] | None:
-    """Give variables values, one after the other, at which no polynomial becomes 0; letters get 0 last."""
+    """Choose values of the variables, one by one, at which no polynomial becomes 0; letters get 0 last."""
     values: dict[int, Scalar] = {}
     for n in variables:
         for value in values_of(field, n in letters):
@@ -331,7 +331,7 @@ def nonzero_values(
 
 
 def _put(f: Polynomial, n: int, value: Scalar, field: Ring) -> Polynomial:
-    """Put a value in for variable n."""
+    """Substitute a value for variable n."""
     out: Polynomial = {}
     for m, c in f.items():
         if m[n]:
@@ -342,7 +342,7 @@ def _put(f: Polynomial, n: int, value: Scalar, field: Ring) -> Polynomial:
 
 
 def values_of(field: Ring, nonzero: bool = False) -> Iterator[Scalar]:
-    """Run through distinct elements of a field, small ones first: all, or a thousand of them.
+    """Yield distinct elements of a field, small ones first: all, or a thousand of them.
 
     With ``nonzero``, 0 comes last.
     """

@@ -51,7 +51,7 @@ def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple
 def counterexample(
     problem: Problem, used: frozenset[str] | None, wanted: bool = False
 ) -> tuple[Assignment | None, int]:
-    """Return the first case in which the statement is false (or ``wanted``), and how many there are.
+    """Return the first case in which the statement is false (or ``wanted``), and the number of cases.
 
     Raises :class:`TooLargeError` for more than 10⁸ cases, and :class:`UndecidedError` when the time
     is over, and where there is none but some cases are undecided.
@@ -159,7 +159,7 @@ class _Table:
 
     @cached_property
     def units(self) -> tuple[npt.NDArray[np.bool_], Indices]:
-        """Which elements are units, and their inverses, 0 for the others.
+        """The mask of units, and the inverses, 0 for other elements.
 
         Raises :class:`UndecidedError` where the ring does not know.
         """

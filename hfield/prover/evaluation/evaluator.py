@@ -58,7 +58,7 @@ class Evaluator:
         self.structure = [self._term(tree)[1] for tree in trees]
 
     def bind(self, values: Values) -> Any:
-        """Give the unknowns their values, and the structure constants theirs, which may depend on them.
+        """Assign values to the unknowns, and to the structure constants, which may depend on them.
 
         Returns the condition under which the structure constants are defined; elsewhere there is no
         algebra, and nothing that a statement could be about.
@@ -161,7 +161,7 @@ class Evaluator:
     # --- terms -----------------------------------------------------------------------------------
 
     def _term(self, node: Node) -> Term:
-        """Return what the value of a term is, and what computes it."""
+        """Return the sort of a term, and the function that computes its value."""
         return _READERS[type(node)](self, node)
 
     def _number(self, node: Number) -> Term:

@@ -29,7 +29,7 @@ SIGNS = {">=": (0, 1), ">": (1,), "<=": (0, -1), "<": (-1,)}
 
 
 class Numbers(Decided[float, bool]):
-    """Floats, with values near 0 taken as 0, to choose the places at which to evaluate exactly."""
+    """Floats, with values near 0 rounded to 0, to choose points for exact evaluation."""
 
     zero, one = 0.0, 1.0
     times = staticmethod(mul)  # type: ignore[assignment]
@@ -64,7 +64,7 @@ class OrderedEvaluator(Evaluator):
         self.holds = self.function(read.ordered)
 
     def fails(self, place: Mapping[str, Any]) -> bool:
-        """Tell whether the algebra exists at a place, and the statement is false there."""
+        """Return whether the algebra exists at a point, and the statement is false there."""
         try:
             return bool(self.bind(place)) and self.holds(place) is False
         except (HFieldError, OverflowError):

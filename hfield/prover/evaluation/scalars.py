@@ -99,7 +99,7 @@ class Scalars(ABC, Generic[S, C, T]):
 
 
 class Decided(Scalars[S, T, T]):
-    """Scalars of which it is known whether they are 0: truth is Python's, or numpy's for many at once."""
+    """Scalars with a decidable test for 0: truth values are Python's, or arrays of numpy."""
 
     always = True  # type: ignore[assignment]
     together = both = staticmethod(and_)  # type: ignore[assignment]
@@ -122,7 +122,7 @@ class Decided(Scalars[S, T, T]):
 
 
 def some_nonzero(ring: Ring, elements: Iterable[Scalar]) -> bool:
-    """Tell whether some element is not 0. Raises UndecidedError where none is known not to be, but may be."""
+    """Return whether some element is not 0. Raises UndecidedError if that is not known."""
     doubt: UndecidedError | None = None
     for x in elements:
         try:
@@ -163,7 +163,7 @@ class RingScalars(Decided[Scalar, bool]):
         return not self.unequal(differences, defined)
 
     def unequal(self, differences: Iterable[Scalar], defined: bool) -> bool:
-        """Compare exactly, in the ring. Raises UndecidedError where no difference is known not to be 0."""
+        """Compare exactly, in the ring. Raises UndecidedError if that is not known."""
         return some_nonzero(self.ring, differences)
 
 

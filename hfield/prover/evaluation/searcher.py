@@ -1,4 +1,4 @@
-"""Evaluate a statement at many places, one after the other."""
+"""Evaluate a statement at many points."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
@@ -32,7 +32,7 @@ def read_back(field: Ring, witness: Mapping[str, Sequence[str]]) -> Assignment:
 
 
 def assigned(statement: Statement, scalars: Iterable[Scalar]) -> Assignment:
-    """Give the unknowns their values, of quaternions four coordinates together."""
+    """Assign values to the unknowns, four coordinates to each quaternion."""
     rest = iter(scalars)
     return {
         name: next(rest) if sort is Sort.SCALAR else tuple(islice(rest, 4))
@@ -41,7 +41,7 @@ def assigned(statement: Statement, scalars: Iterable[Scalar]) -> Assignment:
 
 
 class Searcher:
-    """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
+    """Evaluates the statement of a problem at many points; ``wanted`` is the truth value searched for."""
 
     def __init__(
         self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
@@ -60,7 +60,7 @@ class Searcher:
         self.is_constant = not self.moving and sorts.keys().isdisjoint(names)
 
     def decide(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement has the wanted truth value.
+        """Return whether the algebra exists there and the statement has the wanted truth value.
 
         Raises :class:`UndecidedError` where that is not known: a local field knows some digits only, and a
         ring of one's own may not know which elements are units.
@@ -69,7 +69,7 @@ class Searcher:
         return bool(exists) and self.holds(assignment) is self.wanted
 
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether :meth:`decide` is known to be true."""
+        """Return whether :meth:`decide` is known to return True."""
         try:
             return self.decide(assignment)
         except UndecidedError:

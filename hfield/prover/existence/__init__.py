@@ -1,1 +1,1 @@
-"""The methods for statements that something exists."""
+"""Methods for existential statements."""

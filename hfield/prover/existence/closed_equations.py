@@ -1,4 +1,4 @@
-"""Solve equations without given values: linear ones, and those in one unknown.
+"""Solve equations without given values: linear equations, and equations in one unknown.
 
 Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
 unknown by the roots that the ring finds; q² + s·q = c for a quaternion by square roots, which the field finds
@@ -31,7 +31,7 @@ Polynomial = dict[Monomial, Scalar]
 
 @dataclass(frozen=True)
 class SolutionPlaces:
-    """Some ``places`` at which equations hold; ``none`` tells that they hold nowhere."""
+    """Some ``places`` at which equations hold; ``none`` is True if they hold nowhere."""
 
     places: tuple[Assignment, ...] = ()
     none: bool = False
@@ -81,7 +81,7 @@ def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[lis
 
 
 def _common_roots(equations: list[Polynomial], n: int, field: Ring) -> Iterator[Scalar]:
-    """Run through the values of one unknown at which all equations hold."""
+    """Yield the values of one unknown at which all equations hold."""
     dense = []
     for f in equations:
         c = [field.zero] * (max(m[n] for m in f) + 1)
@@ -162,7 +162,7 @@ Quadratic = tuple[Scalar, Coordinates]  # s/2 and c, for q² + s·q = c
 
 
 def quaternion_roots(problem: Problem) -> list[Coordinates] | None:
-    """Return some roots of an equation among those that are said, and one if there are any.
+    """Return some quaternion roots of an equation, at least one if there are any.
 
     None where there is no such equation, or where the field does not decide it. The statement has no
     quantifier and one unknown, a quaternion.

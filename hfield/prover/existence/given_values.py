@@ -40,7 +40,7 @@ ELEMENTS_TRIED = 5  # elements of an infinite field
 
 
 def by_places(problem: Problem) -> Decision:
-    """Refute at one place of the given unknowns, or prove at all of them over a finite field."""
+    """Refute at one point of the given unknowns, or prove at all points over a finite field."""
     field, free = problem.ring, problem.statement.given
     width = sum(sort.width for _, sort in free)
     finite = field.order is not None and field.order**width <= MAX_PLACES
@@ -88,7 +88,7 @@ def by_places(problem: Problem) -> Decision:
 
 
 def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision | None:
-    """Refute at a place where linear algebra says that there is none, if that is proved too."""
+    """Refute at a point where linear algebra shows that there is no witness."""
     values = {name: list(v) for name, v in place.items() if name != "F"}
     instance = _instance(problem, values)
     try:
@@ -101,7 +101,7 @@ def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision
 
 
 def at_zero(problem: Problem) -> tuple[str, ...] | None:
-    """Return what exists when all that is given is 0 (letters −1): it may serve everywhere."""
+    """Return witnesses for given values 0 (letters −1), which may work everywhere."""
     setting = problem.setting
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
     zeros = {name: Number(0) for name, _ in problem.statement.given}
@@ -122,7 +122,7 @@ def _small(field: Ring) -> list[Scalar]:
 
 
 def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
-    """Run through places near those that are found by solving: the hypotheses, or where a term fails."""
+    """Yield points near solutions of the hypotheses, or near points where a term is undefined."""
     field, statement, free = problem.ring, problem.statement, problem.statement.given
     terms = [texts for texts in isolated(statement).values() if texts]
     failing = []
@@ -147,14 +147,16 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
 
 
 def _meant(problem: Problem) -> Callable[[Assignment], bool]:
-    """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
+    """Return a function that tests whether the algebra exists at a point and the hypotheses are true
+    there.
+    """
     names = tuple(name for name, _ in problem.statement.given)
     meant = problem.for_formula(conjunction(problem.statement.hypotheses), names)
     return Searcher(meant, RingScalars(problem.ring), True).test
 
 
 def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
-    """Put values in for what is given: into the statement, and for letters into the algebra."""
+    """Substitute values for the given unknowns in the statement, and for letters in the algebra."""
     values = {name: quaternion_node(place[name]) for name, _ in problem.statement.given}
     instance = problem.for_formula(substitute(problem.matrix, values), problem.statement.exists)
     there = put_letters(problem.setting, values)
@@ -177,7 +179,7 @@ MAX_TERMS = 2_000
 
 
 def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
-    """Return what tells that nothing exists at a place, None where the statement is not linear."""
+    """Return the reason why there is no witness at a point; None if the statement is not linear."""
     field, statement = problem.field, problem.statement
     if field is None or not field.is_field:
         return None
@@ -206,7 +208,7 @@ def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
 def _is_solvable(
     rows: Sequence[Row], variables: Sequence[str], values: Mapping[str, Scalar], field: Ring
 ) -> bool:
-    """Tell whether linear equations have a solution, by elimination."""
+    """Return whether linear equations have a solution, by elimination."""
     place = {n: values[name] for n, name in enumerate(variables) if name in values}
     left = [[value_at(f, place, field) for f in row] for row in rows]
     width = len(left[0]) - 1 if left else 0

@@ -22,7 +22,7 @@ from hfield.syntax import Binary, Call, Compare, Logic, Name, Negate, Node, Numb
 
 
 def isolated(statement: Statement) -> dict[str, list[str]]:
-    """Return for each name that ``exists`` binds the terms that equations with it once give."""
+    """Return for each name that ``exists`` binds the terms from equations in which it occurs once."""
     out: dict[str, list[str]] = {name: [] for name in statement.exists}
     for equation in _equations(statement.conclusion):
         for name in statement.exists:
@@ -38,7 +38,7 @@ def isolated(statement: Statement) -> dict[str, list[str]]:
 
 
 def isolated_alone(statement: Statement) -> Iterator[dict[str, str]]:
-    """Run through terms for all names: one solves an equation in which the others are put to 0."""
+    """Yield terms for all names: one solves an equation in which the others are 0."""
     if len(statement.exists) < 2:
         return
     for name in statement.exists:
@@ -59,7 +59,7 @@ def _equations(node: Node) -> Iterator[Compare]:
 
 
 def _solutions(equation: Compare, name: str, sorts: Mapping[str, Sort]) -> Iterator[Node]:
-    """Run through terms that the name is equal to where the equation is true."""
+    """Yield the terms that equal the name where the equation holds."""
     side, other = equation.left, equation.right
     if not occurrences(side, name):
         side, other = other, side
@@ -116,7 +116,7 @@ class TwoSidedMap:
 
 
 def two_sided(side: Node, value: Node, name: str, sorts: Sorts) -> Iterator[Node]:
-    """Run through terms for ``name`` that solve ``side == value``, where it is a sum of one or two parts."""
+    """Yield terms for ``name`` that solve ``side == value``, where the side has one or two parts."""
     parts, rest = _split(side, name, sorts) or ([], ZERO)
     parts = _joined(parts, sorts)
     r = minus(value, rest)
@@ -130,7 +130,7 @@ def two_sided(side: Node, value: Node, name: str, sorts: Sorts) -> Iterator[Node
 
 
 def _disappearing(one: TwoSidedMap, other: TwoSidedMap, r: Node, sorts: Sorts) -> Iterator[Node]:
-    """Run through solutions of a·u·b + c·u·d = r that let c disappear, or d."""
+    """Yield solutions of a·u·b + c·u·d = r that eliminate c or d."""
     a, b, c, d = one.left, one.right, other.left, other.right
     if not (is_scalar(c, sorts) or is_scalar(d, sorts)):  # N(c) in the place of c
         bar = Call("conj", (c,))
@@ -157,7 +157,7 @@ def _determining(a: Node, b: Node, d: Node) -> Node:
 
 
 def _split(node: Node, name: str, sorts: Sorts) -> tuple[list[TwoSidedMap], Node] | None:
-    """Write a term as Σ left·u·right + rest, None where u stands in any other way."""
+    """Write a term as Σ left·u·right + rest; None if u occurs otherwise."""
     if not occurrences(node, name):
         return [], node
     match node:
@@ -198,7 +198,7 @@ def _scaled(
 
 
 def _joined(parts: list[TwoSidedMap], sorts: Sorts) -> list[TwoSidedMap]:
-    """Return parts with the same sum, those that share a side put together."""
+    """Return parts with the same sum, with parts of a common side combined."""
     lefts: dict[str, TwoSidedMap] = {}  # by what stands on the right
     for part in parts:
         key = to_text(part.right)

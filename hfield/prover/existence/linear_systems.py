@@ -32,7 +32,7 @@ MAX_BRANCHES = 8
 
 @dataclass(frozen=True)
 class Case:
-    """Where ``when`` holds, the ``terms`` are what is said to exist."""
+    """A case: where ``when`` holds, the ``terms`` are witnesses."""
 
     when: str
     terms: tuple[tuple[str, str], ...]
@@ -67,7 +67,7 @@ def _equations(formula: Formula) -> list[flint.fmpz_mpoly]:
 
 
 class System:
-    """The polynomials of a statement, split into those sought and those given."""
+    """The polynomials of a statement, with sought and given variables separated."""
 
     def __init__(self, problem: Problem) -> None:
         statement = self.statement = problem.statement
@@ -93,7 +93,7 @@ class System:
         return rows if len(rows) == len(found) else None
 
     def cases(self, rows: list[Row], unequal: list[tuple[flint.fmpz_mpoly, ...]]) -> Iterator[Case]:
-        """Run through the cases of equations, where some tuples must not be 0."""
+        """Yield the cases of equations in which some tuples must not be 0."""
         steps = self.elimination
         for way in steps.eliminate(steps.start(rows, self.known)):
             for numerators, below in steps.solutions(way, len(unequal)):
@@ -141,13 +141,13 @@ class System:
         return Case(" and ".join(dict.fromkeys(when)) or "0 == 0", tuple(self.terms(values, below)))
 
     def is_nonzero_with(self, f: flint.fmpz_mpoly, below: flint.fmpz_mpoly) -> bool:
-        """Tell whether f is certainly not 0 where ``below`` is not."""
+        """Return whether f is known to be nonzero where ``below`` is nonzero."""
         return all(below % g == 0 for g in self.of.factors(f))
 
     def put(
         self, f: flint.fmpz_mpoly, values: list[flint.fmpz_mpoly], below: flint.fmpz_mpoly
     ) -> flint.fmpz_mpoly:
-        """Put the solution into f; the result is a numerator over a power of ``below``."""
+        """Substitute the solution in f; return the numerator over a power of ``below``."""
         degree = max((sum(int(m[n]) for n in self.bound) for m, _ in f.terms()), default=0)
         total = self.context.constant(0)
         for exponents, c in f.terms():
@@ -209,15 +209,15 @@ class FieldCoefficients:
         self.one = context.constant(1)
 
     def is_zero(self, f: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is 0 over all fields that are meant."""
+        """Return whether a polynomial is 0 over all fields of the problem."""
         return bool(f == 0 or (self.p and int(f.content()) % self.p == 0))
 
     def is_unit(self, f: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is a number that is not 0 in any field that is meant."""
+        """Return whether a polynomial is a number that is nonzero in all fields of the problem."""
         return bool(f != 0 and f.is_constant() and self.is_nonzero_number(int(f.content())))
 
     def is_nonzero_number(self, n: int) -> bool:
-        """Tell whether a number is not 0 in any field that is meant."""
+        """Return whether a number is nonzero in all fields of the problem."""
         if self.p is None or n == 0:
             return abs(n) == 1
         return self.p == 0 or n % self.p != 0
@@ -257,7 +257,7 @@ MAX_WAYS = 300
 
 @dataclass(frozen=True)
 class EliminationBranch:
-    """A way through the elimination: ``nonzero`` factors are not 0, the ``zero`` ones are."""
+    """A branch of the elimination: ``nonzero`` factors are not 0, ``zero`` ones are."""
 
     rows: tuple[Row, ...]
     pivots: tuple[tuple[int, int], ...] = ()  # row, column
@@ -266,7 +266,7 @@ class EliminationBranch:
 
 
 class Elimination:
-    """Runs through the ways to solve linear equations for ``width`` unknowns."""
+    """Enumerates the branches of solving linear equations for ``width`` unknowns."""
 
     def __init__(self, coefficients: FieldCoefficients, width: int, clock: Clock) -> None:
         self.of, self.width, self.clock, self.ways = coefficients, width, clock, 0
@@ -282,7 +282,7 @@ class Elimination:
         return way
 
     def eliminate(self, way: EliminationBranch) -> Iterator[EliminationBranch]:
-        """Run through the ways to eliminate."""
+        """Yield the branches of the elimination."""
         self.ways += 1
         if self.ways > MAX_WAYS or self.clock.is_late:
             raise TooLargeError("the linear algebra takes too many cases")
@@ -346,7 +346,7 @@ class Elimination:
         return tuple(out)
 
     def without(self, rows: Sequence[Row], f: flint.fmpz_mpoly) -> tuple[Row, ...]:
-        """Use f = 0: where it expresses a variable by others, that variable goes."""
+        """Use f = 0 to eliminate a variable, if it expresses one by others."""
         gens = self.of.context.gens()
         for n, v in enumerate(gens):
             if f.degrees()[n] != 1:
@@ -361,7 +361,7 @@ class Elimination:
     def solutions(
         self, way: EliminationBranch, unequal: int
     ) -> Iterator[tuple[list[flint.fmpz_mpoly], flint.fmpz_mpoly]]:
-        """Run through solutions as numerators with a common denominator.
+        """Yield solutions as numerators with a common denominator.
 
         What no pivot determines is 0; where something must not be 0, other small numbers are tried.
         """

@@ -1,4 +1,4 @@
-"""Choose the method for a statement that something exists, or for contradictory hypotheses.
+"""Choose the method for an existential statement, or for contradictory hypotheses.
 
 Existence is proved by terms, once for all or case by case, and refuted where no case applies.
 """
@@ -61,7 +61,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _over_all_fields(problem: Problem) -> Decision:
-    """Decide over all fields: terms that serve everywhere, or a field where there is none."""
+    """Decide over all fields: by terms that work everywhere, or by a field without a witness."""
     attempts = Attempts()
     decision, place = _by_algebra(problem, attempts)
     if decision is None and place is None:
@@ -84,7 +84,7 @@ Place = Mapping[str, Sequence[str]]
 
 
 def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision | None, str]]:
-    """Decide over one field after the other, first at a place that linear algebra has found."""
+    """Decide over one field after the other, first at a point found by linear algebra."""
     if place is not None:
         name = place["F"][0]
         yield Attempts().answer(refuted_at, problem.over(ring(name)), place), name
@@ -95,7 +95,7 @@ def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision
 
 
 def _by_algebra(problem: Problem, attempts: Attempts) -> tuple[Decision | None, Place | None]:
-    """Prove by terms and cases, or return a place where linear algebra finds that there is none."""
+    """Prove by terms and cases, or return a point where linear algebra shows that there is no witness."""
     terms: Iterable[Method] = (
         lambda: by_isolating(problem),
         lambda: by_terms(problem.share(1 / 3)),
@@ -115,7 +115,7 @@ def _for_all_exists(problem: Problem) -> Decision:
 
 
 def _at_places(problem: Problem, place: Place | None) -> Iterator[Method]:
-    """Run through the methods that look at places, first at one that linear algebra has found."""
+    """Yield the methods that try points, first one found by linear algebra."""
     if place is not None:
         yield lambda: refuted_at(problem, place)
     yield lambda: by_roots(problem)
@@ -126,7 +126,7 @@ def _at_places(problem: Problem, place: Place | None) -> Iterator[Method]:
 
 
 def _by_what_serves_at_zero(problem: Problem) -> Decision | None:
-    """Prove by the terms that serve where all that is given is 0."""
+    """Prove by the witnesses for given values 0."""
     found = at_zero(problem)
     return None if found is None else by_terms(problem, [found])
 
@@ -137,7 +137,7 @@ MAX_ZERO = 3
 
 
 def by_isolating(problem: Problem) -> Decision | None:
-    """Prove by terms that solve an equation for what is sought."""
+    """Prove by terms that solve an equation for a sought unknown."""
     found = isolated(problem.statement)
     if not any(found.values()):
         return None
@@ -169,7 +169,7 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
 
 
 def by_zero_or_not(problem: Problem) -> Decision | None:
-    """Prove by one term where something that is given is 0, and another one where it is not."""
+    """Prove by two cases: a given value is 0, or not."""
     statement = problem.statement
     for name, _ in statement.given[:MAX_ZERO]:
         found: list[tuple[Case, Decision]] = []
@@ -193,7 +193,7 @@ def by_zero_or_not(problem: Problem) -> Decision | None:
 
 
 def _isolated_cases(statement: Statement) -> Iterator[Case]:
-    """Run through cases in which one of several names is solved for: where that serves."""
+    """Yield cases in which an equation is solved for one of several names."""
     for terms in isolated_alone(statement):
         own = tuple((name, terms[name]) for name in statement.exists)
         node = put_in(statement.conclusion, {name: parse(text) for name, text in own})
@@ -277,7 +277,7 @@ def _covering(problem: Problem, cases: list[Case]) -> Problem:
 
 
 def _given(problem: Problem, node: Node) -> Problem:
-    """Return a problem about what is given."""
+    """Return the problem of the given unknowns alone."""
     made = problem.without_constants(node, tuple(name for name, _ in problem.statement.given))
     return made.with_statement(replace(made.statement, compares_unequal=True))
 

@@ -20,7 +20,7 @@ MAX_TERMS = 400
 
 
 def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None) -> Decision | None:
-    """Prove by a term in the given unknowns for each one that is said to exist."""
+    """Prove by a term in the given unknowns for each sought one."""
     statement = problem.statement
     free = dict(statement.given)
     if choices is None:
@@ -68,14 +68,14 @@ def put_in(conclusion: Node, terms: Mapping[str, Node]) -> Node:
 
 
 def _is_monotone(node: Node) -> bool:
-    """Tell whether a statement is made of comparisons by "and" and "or" alone."""
+    """Return whether a statement is built from comparisons by "and" and "or" only."""
     if isinstance(node, Logic):
         return node.op in ("and", "or") and _is_monotone(node.left) and _is_monotone(node.right)
     return isinstance(node, Compare)
 
 
 def combined(kinds: Sequence[Sequence[str]], most: int) -> Iterator[tuple[str, ...]]:
-    """Run through choices of one term for each name, ``most`` at most."""
+    """Yield choices of one term for each name, at most ``most``."""
     return islice(product(*kinds), most)
 
 

@@ -236,7 +236,7 @@ MAX_QUATERNION_DEGREE = 1_000
 
 @dataclass(frozen=True)
 class LeadingTerm:
-    """What a polynomial has at the top: its degree at most, and whether that is one monomial, not 0."""
+    """The leading part of a polynomial: a bound of its degree, and whether it is one nonzero monomial."""
 
     degree: int
     single: bool
@@ -302,7 +302,7 @@ def _top(node: Node, name: str) -> LeadingTerm | None:
 
 
 def _is_not_zero(node: Node) -> bool:
-    """Tell whether a term is certainly not 0: a product of numbers and of basis vectors."""
+    """Return whether a term is certainly not 0: a product of numbers and of basis vectors."""
     match node:
         case Number(value):
             return value != 0

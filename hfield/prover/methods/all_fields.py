@@ -58,7 +58,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _with_exceptions(problem: Problem, found: Decision) -> Decision:
-    """Say of a refutation in characteristic p where the statement holds, if a proof fails there alone."""
+    """Add to a refutation in characteristic p where the statement holds, if a proof fails only there."""
     p = ring((found.witness or {})["F"][0]).characteristic
     try:
         general = prove_clauses(problem.within(1.0), 0) if p else None
@@ -80,12 +80,12 @@ def _identity(statement: Statement, x: Expanded) -> Decision:
 
 
 def _quickly(problem: Problem) -> bool:
-    """Tell whether a small counterexample shows at once."""
+    """Return whether a quick search finds a counterexample."""
     return any(prime_search(problem, p, CASES_TRIED) is not None for p in (0, 2, 3))
 
 
 def _proof(problem: Problem) -> Decision | None:
-    """Prove in characteristic 0, and then in each characteristic that was divided by."""
+    """Prove in characteristic 0, then in each characteristic that was divided by."""
     general = prove_clauses(problem.share(1 / 2), 0)
     primes = prime_factors(abs(general.denominator)) if general else None
     if general is None or primes is None:
@@ -101,7 +101,7 @@ def _proof(problem: Problem) -> Decision | None:
 
 
 def counterexample(problem: Problem) -> Decision | None:
-    """Look for a field over which the statement is refuted; the witness then names it as F."""
+    """Search for a field over which the statement is refuted; the witness names it as F."""
     for there in fields_tried(problem):
         if problem.is_late:
             return None
@@ -112,7 +112,7 @@ def counterexample(problem: Problem) -> Decision | None:
 
 
 def fields_tried(problem: Problem) -> Iterator[Problem]:
-    """Run through the problem over the fields where a counterexample is looked for.
+    """Yield the problem over each field in which a counterexample is searched.
 
     They have the structure constants, and no generator of theirs is an unknown of the statement.
     """

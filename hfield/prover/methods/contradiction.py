@@ -152,7 +152,7 @@ class _ContradictionSearch:
         return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used))
 
     def run(self, ideal: PolynomialIdeal, depth: int) -> bool:
-        """Let the ideal grow until it contains 1; append the steps of the proof."""
+        """Enlarge the ideal until it contains 1; append the steps of the proof."""
         one = ideal.context.constant(1)
         while True:
             complete = ideal.run(SLICE)
@@ -191,7 +191,7 @@ class _ContradictionSearch:
         terms: list[flint.fmpz_mpoly],
         step: Step,
     ) -> bool:
-        """If the form is in the ideal, put its arguments there, unless all are already."""
+        """Add the arguments of a form in the ideal to the ideal, unless all are there."""
         found = ideal.cofactors(form)
         if found is None or all(ideal.cofactors(t) is not None for t in terms):
             return False
@@ -227,7 +227,9 @@ class _ContradictionSearch:
         return False
 
     def _gram(self, ideal: PolynomialIdeal) -> bool:
-        """Write a polynomial of the ideal as a sum of squares of polynomials, and put these there."""
+        """Write a polynomial of the ideal as a sum of squares, and add the squared polynomials to the
+        ideal.
+        """
         rule = self._rule(SQUARES)
         if rule is None or not rule.positive:
             return False
@@ -268,7 +270,7 @@ class _ContradictionSearch:
         return False
 
     def _forms(self, ideal: PolynomialIdeal) -> bool:
-        """Find a form that is 0 only where its terms are, and put them into the ideal."""
+        """Find an anisotropic form in the ideal, and add its terms to the ideal."""
         p = self.conditions
         if p.field is None or self._rule(ROOTS) is None or self.clock.is_late:
             return False
@@ -330,6 +332,6 @@ class _ContradictionSearch:
 
 
 def fits(rule: Rule, form: AnisotropicForm) -> bool:
-    """Tell whether a rule about sums of squares speaks of this one."""
+    """Return whether a rule on sums of squares applies."""
     plain = all(c == 1 for c in form.step["coefficients"])
     return len(form.terms) <= rule.most and (plain or rule.positive)

@@ -1,4 +1,4 @@
-"""Make decisions of what the procedures found."""
+"""Build decisions from the results of the methods."""
 
 from hfield.checker.glossary import (
     COUNTEREXAMPLE,
@@ -63,12 +63,12 @@ def primes_of_identity(x: Expanded) -> tuple[int, ...]:
 
 
 def _algebra_may_exist(x: Expanded, p: int) -> bool:
-    """Tell whether no condition of the structure constants vanishes in characteristic p."""
+    """Return whether no condition of the structure constants vanishes in characteristic p."""
     return all(any(int(c) % p for c in f.coeffs()) for f in x.conditions)
 
 
 def is_conjunction_of_identities(statement: Statement) -> bool:
-    """Tell whether the statement is made of equations without division by "and" alone."""
+    """Return whether the statement is made of equations without division by "and" alone."""
     return not (statement.hypotheses or statement.exists or statement.divides) and all(
         isinstance(n, Compare) and n.op == "==" for n in conjuncts(statement.conclusion)
     )
@@ -95,7 +95,7 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None
 
 
 def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
-    """Tell whether what is said (or denied) is an identity: equations, joined by "and".
+    """Return whether the statement (or its negation) is an identity: equations, joined by "and".
 
     Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
     """

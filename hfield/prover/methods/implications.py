@@ -42,7 +42,7 @@ MAX_CHOICES = 64
 
 @dataclass(frozen=True)
 class Item:
-    """One entry of the evidence, with what its scope depends on."""
+    """One item of the evidence, with the data that determine its scope."""
 
     evidence: Mapping[str, Any]
     direct: bool
@@ -52,7 +52,7 @@ class Item:
 
     @property
     def by_contradiction(self) -> tuple[str, ...]:
-        """The polynomials that are 0, where it excludes that others are not; () where it is direct."""
+        """The polynomials that are 0 in a proof by contradiction; () in a direct one."""
         return () if self.direct else ("0", *self.evidence["zero"])
 
 
@@ -169,7 +169,7 @@ def _proof(
     named: Ring | None,
     kinds: tuple[tuple[str, float, bool], ...],
 ) -> Proof | None:
-    """Prove with the rules of those kinds; fields with the same rules share the proof, unless named."""
+    """Prove with rules of given kinds; fields with the same rules share the proof, unless named."""
     x, own = expand(problem), rules(problem.setting) if kinds else ()
     field = problem.field if kinds else named
     attempt = _Attempt(problem, x, characteristic, field, own)
@@ -199,14 +199,14 @@ class _Attempt:
         self.relations = relations_of(x, field)
 
     def is_zero(self, p: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is known to be 0 over the fields that are meant."""
+        """Return whether a polynomial is known to be 0 over the fields of the problem."""
         if self.field is not None:
             return known(vanishes, p, self.x, self.field) is True
         n = self.characteristic
         return bool(p == 0 or (n and int(p.content()) % n == 0))
 
     def is_nonzero_number(self, p: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is a number that is known not to be 0 in them."""
+        """Return whether a polynomial is a number that is known not to be 0 in them."""
         if self.field is not None:
             return known(is_nonzero_constant, p, self.x, self.field) is True
         return bool(
@@ -219,7 +219,7 @@ class _Attempt:
     def conditions(
         self, zeros: Sequence[flint.fmpz_mpoly], nonzero: tuple[flint.fmpz_mpoly, ...] = ()
     ) -> Conditions:
-        """Return what is 0, relations of constants included, and what is not."""
+        """Return the vanishing polynomials, relations of constants included, and the nonvanishing ones."""
         x = self.x
         return Conditions(
             x.variables,
@@ -242,7 +242,7 @@ class _Attempt:
         return self.by_contradiction(zeros, clause.goals) if found is None else found
 
     def evidence(self, zeros: Sequence[flint.fmpz_mpoly]) -> dict[str, object]:
-        """Return what all items about the same zeros say."""
+        """Return the common evidence of all items with the same zeros."""
         return {
             "characteristic": self.characteristic,
             "zero": [self.text(z) for z in zeros],
@@ -252,7 +252,7 @@ class _Attempt:
     def direct(
         self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[flint.fmpz_mpoly, ...]]
     ) -> list[Item] | None:
-        """Put all polynomials of a goal into the ideal of the zeros."""
+        """Show that all polynomials of a goal lie in the ideal of the zeros."""
         conditions = self.conditions(zeros)
         for goal in goals or ((self.x.context.constant(1),),):
             targets = [g for g in goal if not self.is_zero(g)]
@@ -275,7 +275,7 @@ class _Attempt:
     def by_contradiction(
         self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[flint.fmpz_mpoly, ...]]
     ) -> list[Item] | None:
-        """Show that there is no choice of one polynomial from each goal that need not be 0."""
+        """Show for each choice of one polynomial from each goal that one of them must be 0."""
         choices = [[g for g in goal if not self.is_zero(g)] for goal in goals]
         # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
         choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]

@@ -68,7 +68,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _by_values(problem: Problem) -> Iterator[Method]:
-    """Run through the methods that need no polynomials: a counterexample, or all cases."""
+    """Yield the methods without polynomials: a counterexample, or all cases."""
     yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN))
     if problem.ring.order is not None:
         yield lambda: exhaust(problem, None)
@@ -77,7 +77,7 @@ def _by_values(problem: Problem) -> Iterator[Method]:
 def _by_clauses(
     problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
 ) -> Iterator[Method]:
-    """Run through the methods for the clauses that are ``left``: quick ones, then slow ones."""
+    """Yield the methods for the clauses ``left``: quick ones, then slow ones."""
     finite = problem.ring.order is not None
     yield lambda: refuted_at(problem, quick_search(problem), x)
     yield lambda: _implied(problem.within(FIRST_ATTEMPT_SECONDS), problem)
@@ -94,7 +94,7 @@ def _by_clauses(
 def _refuting_an_identity(
     problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
 ) -> Iterator[Method]:
-    """Run through the methods where some clause is an identity that does not hold."""
+    """Yield the methods for a clause that is a false identity."""
     field = problem.ring
     yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN), x)
     for c in left:
@@ -117,19 +117,19 @@ def _implied(limited: Problem, problem: Problem) -> Decision | None:
 
 
 def is_trivial(clause: PolynomialClause, x: Expanded, field: Ring) -> bool:
-    """Tell whether a clause is known to hold: a goal is identically 0, or a hypothesis a nonzero number."""
+    """Return whether a clause holds trivially: a goal is identically 0, or a hypothesis a nonzero number."""
     if any(all(known(vanishes_as_function, p, x, field) for p in goal) for goal in clause.goals):
         return True
     return any(known(is_nonzero_constant, z, x, field) for z in clause.zeros)
 
 
 def not_everywhere_zero(p: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Tell whether a polynomial is known not to be 0 at some place."""
+    """Return whether a polynomial is known to be nonzero at some point."""
     return known(vanishes_as_function, p, x, field) is False
 
 
 def _is_hopeless(clause: PolynomialClause, x: Expanded, field: Ring) -> bool:
-    """Tell whether a clause certainly fails somewhere: it has no hypotheses, and goals that do not hold."""
+    """Return whether a clause is known to fail: it has no hypotheses, and no goal is 0."""
     if not all(known(vanishes, z, x, field) for z in clause.zeros):
         return False
     if not all(any(not_everywhere_zero(p, x, field) for p in goal) for goal in clause.goals):
@@ -151,7 +151,7 @@ def _tried(problem: Problem) -> tuple[str, ...]:
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
-    """Decide over a finite ring by all cases; when they are too many, look at small places.
+    """Decide over a finite ring by all cases, or by small points if there are too many.
 
     Clauses tell what matters where "defined" is "not 0": over a field, or where nothing divides.
     """

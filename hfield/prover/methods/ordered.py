@@ -130,7 +130,7 @@ def _unknowns(problem: Problem) -> tuple[tuple[str, Sort], ...]:
 
 
 def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
-    """Look for rational numbers at which the statement is false."""
+    """Search for rational numbers at which the statement is false."""
     field = problem.field or ring("QQ")
     whole = not field.is_field
     exact = OrderedEvaluator(reals, RingScalars(reals.ring))

@@ -113,7 +113,7 @@ def _divisors(node: Node) -> tuple[Node, ...]:
 
 
 def _proved(problem: Problem, x: Expanded) -> Decision | None:
-    """Prove a statement in which nothing divides."""
+    """Prove a statement without division."""
     field, statement = problem.ring, problem.statement
     if all(any(all(vanishes(p, x, field) for p in g) for g in c.goals) for c in x.clauses):
         return identity(statement, x, field, scope_of_identity(statement, x))
@@ -132,7 +132,9 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
 
 
 def _proved_with_numerals(problem: Problem) -> Decision | None:
-    """Prove over a domain what divides by numerals alone: each is a unit, or its comparison is false."""
+    """Prove over a domain a statement that divides by numerals only: each is a unit, or its comparison is
+    false.
+    """
     field, statement = problem.ring, problem.statement
     above = field.fractions
     if above is None:
@@ -158,8 +160,8 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
 
 
 def settled(node: Node, field: Ring) -> Node:
-    """Return a statement whose comparisons divide by units of the ring, in which those that divide by
-    other numerals are false. Raises UndecidedError where something else divides.
+    """Replace comparisons that divide by numerals that are not units by false. Raises UndecidedError for
+    other divisors.
     """
     match node:
         case Not(x):
@@ -213,7 +215,7 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
 
 
 def _moduli(x: Expanded, m: int) -> Iterator[int]:
-    """Run through numbers modulo which a contradiction may show, over ℤ or (for m > 0) ℤ/m."""
+    """Yield moduli at which a contradiction may appear, over ℤ or (for m > 0) ℤ/m."""
     seen: dict[int, None] = {}
     zeros = [z for clause in x.clauses for z in clause.zeros]
     for z in zeros:  # modulo what divides all else in it a constant is left

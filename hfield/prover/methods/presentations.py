@@ -137,7 +137,7 @@ Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by
 def _prove(
     relations: list[Words], goals: list[Words], letters: str, p: int, clock: Clock
 ) -> Proof | None:
-    """Prove with a memory, since all fields ask the same; what failed for lack of time is retried."""
+    """Prove with a cache shared by all fields; proofs that ran out of time are retried."""
     key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
     proof: Proof | None = MEMORY.recall(
         "presentations",
@@ -324,7 +324,7 @@ def evaluate(f: Mapping[str, int], letters: str, table: Table, unit: int | None)
 
 
 def is_associative(table: Table, size: int) -> bool:
-    """Tell whether (xy)z = x(yz) wherever the products needed are there."""
+    """Return whether (xy)z = x(yz) wherever the needed products are known."""
     for x, y, z in product(range(size), repeat=3):
         xy, yz = table.get((x, y)), table.get((y, z))
         if xy is None or yz is None:

@@ -50,7 +50,7 @@ class CompletionAtPlace(Protocol):
         """Return an element of the field."""
 
     def is_square(self, x: Any) -> bool:
-        """Tell whether x is a square."""
+        """Return whether x is a square."""
 
     def sqrt(self, x: Any) -> Any:
         """Return a square root to some digits."""
@@ -111,7 +111,7 @@ def _read_back(K: Any, root: Any, text: str) -> str:
 
 
 def _subfields(F: CompletionAtPlace, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
-    """Run through fields in ℚ_p, each with a rational number near its generator."""
+    """Yield subfields of ℚ_p, each with a rational number near its generator."""
     for d in _radicands(F, problem):
         yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, ROOT_DIGITS)
     for f in _of_the_equations(problem):
@@ -138,7 +138,7 @@ def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
 
 
 def _radicands(F: CompletionAtPlace, problem: Problem) -> Iterator[int]:
-    """Run through a few d that are squares in F, first one for which the algebra splits over ℚ(√d)."""
+    """Yield a few d that are squares in F, first one for which the algebra splits over ℚ(√d)."""
     found: list[int] = []
     for d in (*_of_the_algebra(F, problem), *SUBFIELD_RADICANDS):
         free = reduced(d)[1] if d else 1

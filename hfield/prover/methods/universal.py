@@ -33,7 +33,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _over_floats(problem: Problem) -> Decision:
-    """Gather evidence over an inexact ring: small integers are exact there and may refute."""
+    """Collect evidence over an inexact ring, where small integers are exact and may refute."""
     field, statement = problem.ring, problem.statement
     if not statement.divides and not statement.constants:
         found = prime_search(problem, 0, PLACES_BETWEEN)

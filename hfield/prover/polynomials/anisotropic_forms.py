@@ -51,7 +51,7 @@ class FormFinder:
         self.one = context.constant(1)
 
     def of(self, f: flint.fmpz_mpoly) -> Iterator[AnisotropicForm]:
-        """Run through the forms that f is, up to a factor."""
+        """Yield the forms equal to f up to a factor."""
         if not 2 <= len(f) <= MAX_TERMS:
             return
         yield from self.binary(f)
@@ -62,7 +62,7 @@ class FormFinder:
     # --- binary forms ----------------------------------------------------------------------------
 
     def binary(self, f: flint.fmpz_mpoly) -> Iterator[AnisotropicForm]:
-        """Run through ways to write f as Σ cₖ·X^k·Y^(n−k) with monomials X and Y."""
+        """Yield the ways to write f as Σ cₖ·X^k·Y^(n−k) with monomials X and Y."""
         parts = self.coefficients(f)
         monomials = list(parts)
         for top in monomials:
@@ -151,7 +151,7 @@ class FormFinder:
         return None
 
     def lightened(self, squares: list[Square]) -> list[Square]:
-        """Draw square numbers into the linear forms, and leave out common factors."""
+        """Move square factors of coefficients into the linear forms, and cancel common factors."""
         out = []
         for c, g in squares:
             n = int(g.content())
@@ -166,7 +166,7 @@ class FormFinder:
         return made
 
     def quadratic(self, squares: list[Square]) -> Iterator[AnisotropicForm]:
-        """Run through the reasons why Σ c·L² is 0 only where all L are."""
+        """Yield the reasons why Σ c·L² is 0 only where all L are 0."""
         if any(self.is_zero(c) for c, _ in squares):
             return
         zero = self.context.constant(0)
@@ -211,7 +211,7 @@ class FormFinder:
         return [self.value(c) for c in coefficients]
 
     def is_zero(self, f: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial in the constants is 0."""
+        """Return whether a polynomial in the constants is 0."""
         return bool(self.field.is_zero(self.value(f)))
 
     def text(self, f: flint.fmpz_mpoly) -> str:
@@ -221,7 +221,7 @@ class FormFinder:
 
 @lru_cache(maxsize=1024)
 def square_part(n: int) -> tuple[int, int]:
-    """Return (m, r) with |n| = m²·|r| and r of the sign of n, as far as small primes tell."""
+    """Return (m, r) with |n| = m²·|r| and r of the sign of n; m contains only small primes."""
     m, rest, p = 1, n, 2
     while p * p <= abs(rest) and p < 1000:
         while rest % (p * p) == 0:
@@ -234,7 +234,7 @@ def square_part(n: int) -> tuple[int, int]:
 
 
 def square_free(f: flint.fmpz_mpoly) -> tuple[flint.fmpz_mpoly, flint.fmpz_mpoly]:
-    """Return (m, g) with f = m²·g, as far as factoring tells."""
+    """Return (m, g) with f = m²·g, by factoring f."""
     number, powers = factored(f)
     m, rest = square_part(number)
     root, free = f.context().constant(m), f.context().constant(rest)

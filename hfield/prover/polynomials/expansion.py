@@ -115,13 +115,13 @@ class Symbolic(Evaluator):
 
 
 class ExpansionBudget:
-    """The work that may still be done; every product of polynomials is charged to it beforehand."""
+    """The remaining work; every product of polynomials spends its cost beforehand."""
 
     def __init__(self) -> None:
         self.left = MAX_WORK
 
     def spend(self, work: int) -> None:
-        """Charge ``work`` products of terms. Raises TooLargeError when it exceeds what is left."""
+        """Spend ``work`` products of terms. Raises TooLargeError if that exceeds the budget."""
         if work > self.left:
             raise TooLargeError("expanding would take too many terms")
         self.left -= work
@@ -226,7 +226,7 @@ class _Fractions(PolynomialScalars):
 
 
 class PolynomialFraction:
-    """A fraction of polynomials, never reduced, so that its numerator is a matter of definition.
+    """A fraction of polynomials, never reduced, so that the numerator is well defined.
 
     u/d + v/d = (u + v)/d, u/d + v/f = (u·f + v·d)/(d·f), and 0 is always 0/1.
     """

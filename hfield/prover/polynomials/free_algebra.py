@@ -92,7 +92,7 @@ class Rewriting:
         self.pairs.extend((new, old) for old in range(new + 1))
 
     def _overlaps(self, x: int, y: int) -> Iterator[tuple[Words, Cofactors]]:
-        """Run through the two ways to rewrite each word that both leading words reach into."""
+        """Yield the two ways to rewrite each overlap of both leading words."""
         (a, f, own), (b, g, other) = self.rules[x], self.rules[y]
         places = [(b[n:], a[:-n], "") for n in range(1, min(len(a), len(b))) if a[-n:] == b[:n]]
         if x != y and b in a:

@@ -44,7 +44,7 @@ class Monomials:
         return tuple(packed >> (k * FIELD_BITS) & DIGIT for k in range(self.n))
 
     def divides(self, x: int, y: int) -> bool:
-        """Tell whether x divides y."""
+        """Return whether x divides y."""
         guard, mask = self.guard, self.mask
         return ((-y & mask | guard) - (-x & mask)) & guard == guard
 
@@ -77,14 +77,14 @@ class Basis:
         self.has_one = False
 
     def add(self, polynomial: Mapping[int, int]) -> None:
-        """Put one more generator in. Its coefficients are reduced modulo p."""
+        """Add a generator; its coefficients are reduced modulo p."""
         self.generators += 1
         f = {m: c % self.p for m, c in polynomial.items() if c % self.p}
         rest, history = self.reduce(f)
         self._enter(rest, [(-self.generators, 0, 1), *history])
 
     def run(self, steps: int) -> bool:
-        """Work through at most ``steps`` pairs; tell whether the basis is complete (or has 1)."""
+        """Process at most ``steps`` pairs; return whether the basis is complete (or contains 1)."""
         while self.pairs and not self.has_one:
             if steps <= 0 or self.clock.is_late:
                 return False
@@ -189,7 +189,7 @@ class Basis:
         self.active.append((-lead & mon.mask, new))
 
     def _minimal(self, fresh: Mapping[int, int]) -> list[tuple[int, int]]:
-        """Return those of the new multiples that no other one divides, compared as in ``divides``."""
+        """Return the new multiples that are minimal under divisibility."""
         guard, mask = self.monomials.guard, self.monomials.mask
         packed = [-lcm & mask for lcm in fresh]
         out = []

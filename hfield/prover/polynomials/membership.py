@@ -52,22 +52,22 @@ class PolynomialIdeal:
         self._listed: tuple[int, list[flint.fmpz_mpoly]] = (0, [])  # of a basis of that size
 
     def lift(self, polynomial: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-        """Bring a polynomial in the first few of the variables into this context."""
+        """Convert a polynomial in the first variables to this context."""
         first = range(polynomial.context().nvars())
         return polynomial.project_to_context(self.context, dict(zip(first, first, strict=True)))
 
     def add(self, polynomial: flint.fmpz_mpoly) -> None:
-        """Put a generator in (an element of ``context``)."""
+        """Add a generator (an element of ``context``)."""
         self.generators.append(polynomial)
         self.basis.add(self._encode(polynomial))
 
     def extend(self, polynomials: Iterable[flint.fmpz_mpoly]) -> None:
-        """Put several generators in."""
+        """Add several generators."""
         for p in polynomials:
             self.add(p)
 
     def run(self, steps: int) -> bool:
-        """Let the basis grow; tell whether it is complete."""
+        """Extend the basis; return whether it is complete."""
         return self.basis.run(steps)
 
     @property

@@ -73,7 +73,7 @@ def clauses(formula: Formula) -> tuple[PolynomialClause, ...]:
 
 
 def branches(formula: Formula) -> Iterator[tuple[Literal, ...]]:
-    """Run through conjunctions of literals of which the formula is the disjunction."""
+    """Yield the conjunctions of literals of the disjunctive normal form."""
     for c in _conjunction(~formula):
         if not _tautology(c):
             yield tuple(Literal(x.polynomials, not x.zero, x.key) for x in c)

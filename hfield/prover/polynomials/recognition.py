@@ -43,7 +43,7 @@ def as_squares(f: flint.fmpz_mpoly, rule: Rule) -> list[tuple[int, flint.fmpz_mp
 
 
 def has_no_root(f: flint.fmpz_mpoly, variables: Sequence[str], unknowns: int, field: Ring) -> bool:
-    """Tell whether f is a polynomial in one unknown that certainly has no root in the field.
+    """Return whether f is a polynomial in one unknown that certainly has no root in the field.
 
     Variables from ``unknowns`` on are constants of the field, as far as ``variables`` names them;
     the rest are unknowns again.

@@ -27,7 +27,7 @@ MAX_QUATERNION_TERMS = 200
 
 
 def relations_of(x: Expanded, field: Ring | None) -> tuple[flint.fmpz_mpoly, ...]:
-    """Return the polynomials that the constants of the field satisfy, as far as they are known.
+    """Return the known polynomial relations of the constants of the field.
 
     Those are polynomials in one constant, and for a cosine and the sine of the same angle the unit circle.
     """
@@ -100,7 +100,7 @@ def quaternions_of(
 
 
 def is_scalar(term: Node, sorts: Mapping[str, Sort]) -> bool:
-    """Tell whether a term is a scalar; a constant of the field is one."""
+    """Return whether a term is a scalar; a constant of the field is one."""
     match term:
         case Name(name):
             return sorts.get(name) is not Sort.QUATERNION and name not in BASIS

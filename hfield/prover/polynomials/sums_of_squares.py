@@ -149,7 +149,7 @@ def _value(w: Monomial, m: Monomial) -> int:
 
 
 def _may_be_positive(f: Terms, weights: Sequence[Monomial]) -> bool:
-    """Tell whether corners of the Newton polytope are squares with positive coefficients."""
+    """Return whether corners of the Newton polytope are squares with positive coefficients."""
     for w in weights:
         top = max(_value(w, m) for m in f)
         corner = [m for m in f if _value(w, m) == top]
@@ -374,7 +374,9 @@ def _kernel(g: Floats, size: float) -> Floats:
 
 @dataclass
 class _Solutions:
-    """The free entries for which some rational vectors are in the kernel: the ``pivots`` by the others."""
+    """The free entries of matrices with given rational vectors in the kernel: the ``pivots`` by the
+    others.
+    """
 
     pivots: dict[int, tuple[dict[int, Fraction], Fraction]]
 
@@ -411,7 +413,7 @@ class _Solutions:
         return cls(pivots)
 
     def nearest(self, values: Sequence[Fraction]) -> list[Fraction]:
-        """Return values that solve the equations, with those given where they are free."""
+        """Return values that solve the equations, with the given values of the free ones."""
         out = list(values)
         for n, (parts, number) in self.pivots.items():
             out[n] = number - sum((c * values[m] for m, c in parts.items()), Fraction(0))

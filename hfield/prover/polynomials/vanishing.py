@@ -37,7 +37,7 @@ def known(question: Callable[P, bool], *args: P.args, **kwargs: P.kwargs) -> boo
 
 
 def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Tell whether all coefficients are 0 in the ring, constants of the field put in.
+    """Return whether all coefficients are 0 in the ring, with the constants of the field substituted.
 
     Raises :class:`UndecidedError` where no coefficient is known not to be 0, but may be.
     """
@@ -50,14 +50,16 @@ def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
 
 
 def is_nonzero_constant(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Tell whether no unknown occurs and the value, constants of the field put in, is not 0."""
+    """Return whether no unknown occurs and the value, with the constants of the field substituted, is not
+    0.
+    """
     if any(polynomial.degrees()[: x.unknowns]):
         return False
     return not vanishes(polynomial, x, field)
 
 
 def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Tell whether the polynomial is 0 wherever it is evaluated, over a field.
+    """Return whether the polynomial is 0 as a function over a field.
 
     Over an infinite field only the polynomial 0 is; over GF(q) exponents are first reduced by
     ``x^q = x``, after which no polynomial but 0 is.

@@ -52,7 +52,7 @@ MAX_TREE_DEPTH = 200
 
 
 class Sort(Enum):
-    """What a term stands for; a scalar may stand wherever a quaternion may, as its multiple of e."""
+    """The sort of a term; a scalar is allowed as a quaternion, as a multiple of e."""
 
     QUATERNION = "quaternion"
     SCALAR = "scalar"
@@ -60,7 +60,7 @@ class Sort(Enum):
 
     @property
     def width(self) -> int:
-        """How many coordinates an unknown of this sort has."""
+        """The number of coordinates of an unknown of this sort."""
         return 1 if self is Sort.SCALAR else 4
 
 
@@ -77,7 +77,7 @@ RESULT = {
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement that has been read: for all ``unknowns``, if ``hypotheses`` then ``conclusion``.
+    """A parsed statement: for all ``unknowns``, if ``hypotheses`` then ``conclusion``.
 
     ``exists`` names the unknowns that are sought rather than given; they belong to ``conclusion``
     only. ``constants`` are the terms, by their text, whose value is an element of the field, such
@@ -184,7 +184,7 @@ def generators(field: Ring) -> frozenset[str]:
 
 @lru_cache(maxsize=4096)
 def is_constant_of(field: Ring, text: str) -> bool:
-    """Tell whether the field reads ``text`` as one of its elements, perhaps not known which."""
+    """Return whether the field reads ``text`` as one of its elements."""
     try:
         field(text)
     except UndecidedError:
@@ -211,7 +211,7 @@ def statement_words(
 
 
 class _Analysis:
-    """One pass over the tree that checks sorts and collects what the statement is made of."""
+    """One pass over the tree that checks sorts and collects the parts of the statement."""
 
     def __init__(self, text: str, field: Ring | None, letters: tuple[str, ...]) -> None:
         self.text, self.field = text, field
@@ -265,11 +265,11 @@ class _Analysis:
         )
 
     def named(self, node: Node) -> Node:
-        """Return a tree in which a number that the field knows in part is written in one way."""
+        """Return a tree with each partly known number written as one call."""
         return node if self.field is None else self.field.named_constants(node)
 
     def is_scalar(self, node: Node) -> bool:
-        """Tell whether a term is a scalar."""
+        """Return whether a term is a scalar."""
         return _Analysis(self.text, self.field, tuple(self.letters)).term(node) is Sort.SCALAR
 
     def check_bound(self, name: str, node: Node, given: set[str], exists: list[str]) -> None:

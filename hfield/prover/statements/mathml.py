@@ -84,5 +84,5 @@ class _MathML(PlainTextWriter):
 
 
 def _row(text: str) -> str:
-    """Make one element of several, as scripts and fractions want it."""
+    """Group several elements in one, as scripts and fractions need."""
     return text if text.count("<m") == 1 else f"<mrow>{text}</mrow>"

@@ -74,7 +74,7 @@ class _Expansion:
         raise NotationError(message, self.text, node.position)
 
     def statement(self, node: Node) -> Node:
-        """Write out what is a statement; a term in its place is left for whoever reads sorts."""
+        """Expand a statement; a term in its place is left to the check of sorts."""
         match node:
             case Exists(names, body):
                 own = [

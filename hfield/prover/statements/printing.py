@@ -97,7 +97,7 @@ def _is_product(node: Node) -> TypeGuard[Binary]:
 
 
 class PlainTextWriter:
-    """The writer of plain text; its sisters override how single things look.
+    """The writer of plain text; subclasses override the form of single parts.
 
     Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
     their parentheses: then it is their order that the statement is about.
@@ -109,7 +109,7 @@ class PlainTextWriter:
 
     @cached_property
     def nested(self) -> bool:
-        """Whether a product is written to the right of another."""
+        """Whether a right factor that is a product is parenthesised."""
         return any(_is_product(n) and _is_product(n.right) for n in walk_once(self.root))
 
     def write(self, node: Node, floor: int = -1) -> str:
@@ -121,7 +121,7 @@ class PlainTextWriter:
         return self.group(known[1]) if self.precedence(node) < floor else known[1]
 
     def precedence(self, node: Node) -> int:
-        """Say how tightly a node binds."""
+        """Return the precedence of a node."""
         return _precedence(node)
 
     def bare(self, node: Node) -> str:
@@ -147,7 +147,7 @@ class PlainTextWriter:
         raise AssertionError(node)
 
     def infix(self, node: Node) -> tuple[Node, int, str, Node, int] | None:
-        """Take what is joined by an operator apart: each side with the floor below which it is grouped."""
+        """Split an infix node into its sides, each with the precedence below which it is parenthesised."""
         match node:
             case Binary(op, x, y):
                 floor = _OPERATORS[op]
@@ -174,7 +174,7 @@ class PlainTextWriter:
         return op if op in "*/" else f" {op} "
 
     def group(self, text: str) -> str:
-        """Put parentheses around what is written."""
+        """Parenthesise a written part."""
         return f"({text})"
 
     def number(self, value: int | Fraction) -> str:

@@ -57,7 +57,7 @@ class Setting:
 
     @cached_property
     def divides(self) -> bool:
-        """Whether the structure constants divide by something, so that they may be undefined."""
+        """Whether the structure constants contain a division, so that they may be undefined."""
         return any(map(divides_in, self.trees))
 
     @property
@@ -167,7 +167,7 @@ def _plain(text: str, field: Ring | None) -> str:
 
 
 def _is_undefined(text: str, field: Ring) -> bool:
-    """Tell whether a constant divides by what is not a unit of the field."""
+    """Return whether a constant divides by an element that is not a unit."""
     node = parse(text)
     leaves = (n for n in walk(node) if isinstance(n, Name | Call))
     try:

@@ -22,7 +22,7 @@ TRUE, FALSE = Compare("==", Number(0), Number(0)), Compare("==", Number(0), Numb
 
 
 def tree_depth(node: Node) -> int:
-    """Return how many nodes are above each other at most."""
+    """Return the depth of a tree."""
     depth, level = 0, [node]
     while level:
         depth, level = depth + 1, [child for n in level for child in children(n)]
@@ -30,7 +30,7 @@ def tree_depth(node: Node) -> int:
 
 
 def walk(node: Node) -> Iterator[Node]:
-    """Run through ``node`` and all nodes below it."""
+    """Yield ``node`` and all nodes below it."""
     stack = [node]
     while stack:
         n = stack.pop()
@@ -39,7 +39,7 @@ def walk(node: Node) -> Iterator[Node]:
 
 
 def walk_once(node: Node) -> Iterator[Node]:
-    """Run through ``node`` and all nodes below it, those that it has in several places once."""
+    """Yield ``node`` and all nodes below it, each only once."""
     seen, stack = {id(node)}, [node]
     while stack:
         n = stack.pop()
@@ -61,7 +61,7 @@ def occurrences(node: Node, name: str) -> int:
 
 
 def divides_in(node: Node) -> bool:
-    """Tell whether something in a tree may be undefined: a quotient, an inverse, a decimal."""
+    """Return whether something in a tree may be undefined: a quotient, an inverse, a decimal."""
     for n in walk(node):
         match n:
             case Number(Fraction()) | Binary("/", _, _) | Call("inv", _):
@@ -89,7 +89,7 @@ def conjunction(nodes: Sequence[Node]) -> Node:
 
 
 def conjuncts(node: Node) -> list[Node]:
-    """Return what is joined by ``and``, in order; the node itself where nothing is."""
+    """Return the operands of ``and``, in order; the node itself if it is not a conjunction."""
     if isinstance(node, Logic) and node.op == "and":
         return [*conjuncts(node.left), *conjuncts(node.right)]
     return [node]

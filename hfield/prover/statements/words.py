@@ -52,7 +52,7 @@ def order_word(node: Node) -> Node | None:
 
 
 def is_about_order(text: str) -> bool:
-    """Tell whether a text is a statement with a comparison or a modulus."""
+    """Return whether a text is a statement with a comparison or a modulus."""
     try:
         return order_word(parse(text)) is not None
     except NotationError:
@@ -60,7 +60,7 @@ def is_about_order(text: str) -> bool:
 
 
 def has_order(field: Ring) -> bool:
-    """Tell whether a ring is known to be an ordered one, of characteristic 0."""
+    """Return whether a ring is known to be an ordered one, of characteristic 0."""
     return not field.characteristic and (not field.is_exact or field.level.value == INFINITY)
 
 
@@ -202,7 +202,7 @@ class _StatementWriter:
 
 
 def _compares(node: Node) -> bool:
-    """Tell whether a statement has a comparison."""
+    """Return whether a statement has a comparison."""
     return any(isinstance(n, Compare) and n.op in ORDER for n in walk_once(node))
 
 

@@ -47,7 +47,7 @@ def _quaternionic_one_axis(task: Task) -> FrameFunction:
 
 
 def _quaternionic_own_axis(task: Task) -> FrameFunction:
-    """By products: ``rotate`` gives all pairs of quaternions and points."""
+    """Rotate by products, since ``rotate`` combines all quaternions with all points."""
     import quaternionic
 
     points = quaternionic.array.from_vector_part(task.points)
@@ -61,7 +61,7 @@ def _quaternionic_own_axis(task: Task) -> FrameFunction:
 
 
 def _quaternionic_euler(task: Task) -> FrameFunction:
-    """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
+    """Rotate by three quaternions, since ``from_euler_angles`` supports ZYZ only."""
     import quaternionic
 
     points = quaternionic.array.from_vector_part(task.points)
@@ -87,7 +87,7 @@ def _numpy_quaternion_one_axis(task: Task) -> FrameFunction:
 
 
 def _numpy_quaternion_own_axis(task: Task) -> FrameFunction:
-    """By products: ``rotate_vectors`` gives all pairs of quaternions and points."""
+    """Rotate by products, since ``rotate_vectors`` combines all quaternions with all points."""
     import quaternion
 
     points = quaternion.from_vector_part(task.points)
@@ -101,7 +101,7 @@ def _numpy_quaternion_own_axis(task: Task) -> FrameFunction:
 
 
 def _numpy_quaternion_euler(task: Task) -> FrameFunction:
-    """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
+    """Rotate by three quaternions, since ``from_euler_angles`` supports ZYZ only."""
     import quaternion
 
     points = quaternion.from_vector_part(task.points)

@@ -1,4 +1,4 @@
-"""The thesis's way (3.1): its own functions, point by point on lists of three."""
+"""The implementation of the thesis (3.1): point by point on lists of three."""
 
 from __future__ import annotations
 

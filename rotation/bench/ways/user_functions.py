@@ -30,11 +30,11 @@ class OwnFunctionError(RotationError):
 
 
 class OwnFileError(RotationError):
-    """A file of functions that cannot be read or run."""
+    """A file of functions cannot be read or run."""
 
 
 def own_way(name: str, function: Function) -> Way:
-    """Return a function as a way, called as :func:`rotation.benchmark` says.
+    """Return an implementation by a user's function; see :func:`rotation.benchmark`.
 
     With the parameters ``points, angles`` it does the matrix test, otherwise the tests with axes.
     """
@@ -54,7 +54,7 @@ def _frames(function: Function, task: Task) -> FrameFunction:
 
 
 def _read_only(array: Array) -> Array:
-    """Return a view that cannot be written to: other ways read the same memory."""
+    """Return a read-only view, since other implementations read the same memory."""
     view = array.view()
     view.flags.writeable = False
     return view
@@ -70,7 +70,7 @@ def _parameters(function: Function) -> tuple[str, ...]:
 
 
 def functions_of(path: Path) -> dict[str, Function]:
-    """Run a file and return the functions that it defines with the parameters of a way, by name.
+    """Run a file and return by name its functions with the parameters of an implementation.
 
     Raises :class:`OwnFileError`, which names the line.
     """
@@ -109,7 +109,7 @@ def functions_of(path: Path) -> dict[str, Function]:
 
 @contextmanager
 def importing_from(folder: Path) -> Iterator[None]:
-    """Let modules of a folder be imported, after all others."""
+    """Add a folder to the end of the import path."""
     place = str(folder.resolve())
     sys.path.append(place)
     try:

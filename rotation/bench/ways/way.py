@@ -16,7 +16,7 @@ Role = Literal["floor", "ours", "peer", "thesis", "own"]
 
 @dataclass(frozen=True)
 class Way:
-    """A competitor. ``makes`` has, for each kind of task it can do, what prepares it.
+    """One implementation; ``makes`` maps each supported kind of task to its preparation.
 
     ``module`` and ``distribution`` are the names under which the library is imported and installed.
     ``writes`` tells where a frame goes: into memory that is there already, or into a new array.

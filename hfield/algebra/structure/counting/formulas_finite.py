@@ -37,14 +37,14 @@ class Count(NamedTuple):
 
 
 class _Shape(NamedTuple):
-    """What the norm form looks like: ``split``, ``binary+``, ``binary-``, ``line`` or ``additive``."""
+    """The type of the norm form: ``split``, ``binary+``, ``binary-``, ``line`` or ``additive``."""
 
     kind: str
     slot: Any = None  # for a binary form in odd characteristic, the a of w² − a·x²
 
 
 def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
-    """Return how many elements there are of one of the :data:`KINDS`, by closed formula.
+    """Return the number of elements of one of the :data:`KINDS`, by closed formula.
 
     ``value`` is the norm (default 0) or the scalar whose square roots are counted (default 1). Raises
     :class:`NotFiniteError` unless the ring is a finite field or ℤ/n, :class:`CoercionError` for a kind that
@@ -78,7 +78,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
 
 
 def has_formulas(ring: Ring) -> bool:
-    """Tell whether there are closed formulas: over a finite field and over ℤ/n."""
+    """Return whether there are closed formulas: over a finite field and over ℤ/n."""
     return ring.order is not None and (ring.is_field or isinstance(ring, Modular))
 
 
@@ -103,7 +103,7 @@ def _shape(ring: Ring, c: Constants) -> _Shape:
 
 
 def _artin_schreier(ring: Ring, a: Scalar) -> bool:
-    """Tell whether y² + y = a is solvable in GF(2ⁿ): whether the trace of a is 0."""
+    """Return whether y² + y = a is solvable in GF(2ⁿ): whether the trace of a is 0."""
     assert ring.order is not None
     total = x = a
     for _ in range(ring.order.bit_length() - 2):
@@ -190,7 +190,7 @@ class CountingFormula(NamedTuple):
 
     @property
     def variables(self) -> int:
-        """How many variables there are."""
+        """The number of variables."""
         return len(self.unary) + 2 * len(self.binary)
 
     def over(self, unary: Sequence[int], binary: Sequence[int]) -> "CountingFormula":
@@ -199,7 +199,7 @@ class CountingFormula(NamedTuple):
 
 
 def solutions(form: CountingFormula, k: int, v: int) -> int:
-    """Return in how many ways the form is v modulo pᵏ.
+    """Return the number of representations of v by the form modulo pᵏ.
 
     A solution in which a variable with a unit in front is a unit lifts from p to pᵏ (from 8 to 2ᵏ)
     in ``p^((k−1)(r−1))`` ways for r variables. In the others all these variables are multiples of p, and so

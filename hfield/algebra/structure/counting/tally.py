@@ -35,7 +35,7 @@ MANY_SCALARS = 64
 
 @dataclass
 class Tally:
-    """What an exhaustive count found. ``norms`` and ``roots`` go by the text of the scalar."""
+    """The result of an exhaustive count. The keys of ``norms`` and ``roots`` are texts of scalars."""
 
     elements: int = 0
     norms: dict[str, int] = field(default_factory=dict)
@@ -106,7 +106,7 @@ class Indices:
 
 
 def tally(ring: Ring, c: Constants) -> Tally:
-    """Go through all elements and count them by norm, by square, and by what they are.
+    """Count all elements by norm, by square and by property.
 
     Raises :class:`NotFiniteError` over an infinite ring and :class:`TooLargeError` beyond :data:`LIMIT`.
     """

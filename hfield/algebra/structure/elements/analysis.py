@@ -26,7 +26,7 @@ from hfield.fields.floats import RDF
 
 
 def over_floats(ring: Ring) -> bool:
-    """Tell whether functions are computed in floats. Raises :class:`RingError` over other inexact rings."""
+    """Return whether functions are computed in floats. Raises :class:`RingError` over other inexact rings."""
     if not ring.is_exact and ring != RDF:
         raise RingError(
             "moduli, polar forms, exponentials and powers of floats are real functions, computed over RDF, "
@@ -133,7 +133,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
 
 
 def positive(ring: Any, x: Any) -> bool:
-    """Tell whether x ≥ 0; among functions of angles, where all angles are small and positive."""
+    """Return whether x ≥ 0; among functions of angles, where all angles are small and positive."""
     sign: Callable[[Any], int] = getattr(ring, "sign_near_zero", ring.sign)
     return sign(x) >= 0
 
@@ -162,7 +162,7 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
 
 
 def has_angles(ring: Any) -> bool:
-    """Tell whether the ring has cosines and sines of angles."""
+    """Return whether the ring has cosines and sines of angles."""
     return hasattr(ring, "angle_of_point")
 
 

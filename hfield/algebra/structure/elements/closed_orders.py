@@ -142,7 +142,7 @@ def _agrees(
     angles: list[Fraction],
     power: int | None,
 ) -> bool:
-    """Tell whether the numbers are these roots of unity, or their sum and product, exactly."""
+    """Return whether the numbers equal these roots of unity, or their sum and product, exactly."""
     if power is not None:  # sums of square roots: Xᵖ modulo X² − T·X + N, or the power of a scalar
         if scalar is not None:
             return ring.equal(ring.power(scalar, power), ring.one)

@@ -69,7 +69,7 @@ def _any(flags: Any) -> bool:
 
 
 def _is_safe(total: Number) -> bool:
-    """Tell whether sums of squares were computed without underflow and overflow."""
+    """Return whether sums of squares were computed without underflow and overflow."""
     if isinstance(total, float):
         return SAFE_NORMS[0] < total < SAFE_NORMS[1]
     return bool(SAFE_NORMS[0] < total.min(initial=1.0) and total.max(initial=1.0) < SAFE_NORMS[1])
@@ -171,7 +171,7 @@ def _in_blocks(
 
 
 def is_batch(q: Coordinates) -> bool:
-    """Tell whether coordinates are arrays."""
+    """Return whether coordinates are arrays."""
     return hasattr(q[0], "shape")
 
 

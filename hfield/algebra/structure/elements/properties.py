@@ -20,7 +20,7 @@ def characteristic_polynomial(
 
 
 def is_nilpotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
-    """Tell whether a power of q is 0: whether its trace and norm are nilpotent in the ring.
+    """Return whether a power of q is 0: whether its trace and norm are nilpotent in the ring.
 
     From ``q² = tr(q)·q − N(q)`` in one direction, and modulo every prime ideal in the other.
     """
@@ -40,12 +40,12 @@ def _nilpotent_scalar(ring: Ring, x: Scalar) -> bool:
 
 
 def is_idempotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
-    """Tell whether ``q² = q``."""
+    """Return whether ``q² = q``."""
     return all(ring.equal(x, y) for x, y in zip(multiply(c, q, q), q, strict=True))
 
 
 def is_unit(ring: Ring, c: Constants, q: Coordinates) -> bool:
-    """Tell whether q has an inverse: whether its norm has one."""
+    """Return whether q has an inverse: whether its norm has one."""
     return ring.is_unit(norm(c, q))
 
 

@@ -30,7 +30,7 @@ class RootCoordinates:
     quadric: Coordinates | None = None
 
     def __bool__(self) -> bool:
-        """Tell whether there is a square root."""
+        """Return whether there is a square root."""
         return bool(self.isolated) or self.quadric is not None
 
 
@@ -171,7 +171,7 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Scalar) -> Coordinates
 
 
 def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
-    """Run through the elements of trace 0 and norm −s over a finite field; in steps of O(1) each.
+    """Yield the elements of trace 0 and norm −s over a finite field, in O(1) each.
 
     In odd characteristic ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2 trace 0 says
     t·x = 0, and w is a square root.
@@ -199,7 +199,7 @@ def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
 
 
 def _pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
-    """Run through the pairs of elements, square by square: for x = 0 alone there may be no solution."""
+    """Yield the pairs of elements by square; only x = 0 may have no solution."""
     seen: list[Any] = []
     for n, x in enumerate(ring.elements()):
         seen.append(x)

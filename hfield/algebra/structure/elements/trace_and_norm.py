@@ -63,7 +63,7 @@ def obstruction(ring: Ring, c: Constants, t: Any, n: Any) -> Any:
 
 
 def all_elements_of(ring: Ring, c: Constants, t: Any, n: Any) -> Iterator[Coordinates]:
-    """Run through the elements of trace t and norm n of any algebra over a finite field."""
+    """Yield the elements of trace t and norm n of any algebra over a finite field."""
     if ring.characteristic != 2:
         half = ring.divide(t, ring(2))
         for w, x, y, z in quadric(ring, c, half * half - n):

@@ -41,5 +41,5 @@ def commutator_rows(ring: Ring, c: Constants) -> list[Row]:
 
 
 def is_commutative(ring: Ring, c: Constants) -> bool:
-    """Tell whether the algebra is commutative: whether i and j commute, ``ij − ji = 2k − t·j = 0``."""
+    """Return whether the algebra is commutative: whether i and j commute, ``ij − ji = 2k − t·j = 0``."""
     return ring.is_zero(ring(2)) and ring.is_zero(c.t)

@@ -75,6 +75,6 @@ def _searched(ring: Ring, c: Constants) -> list[Row]:
 
 
 def is_nilpotent(ring: Ring, x: Scalar) -> bool:
-    """Tell whether a power of an element of a finite ring is 0."""
+    """Return whether a power of an element of a finite ring is 0."""
     assert ring.order is not None
     return ring.is_zero(power(ring.one, x, ring.order.bit_length()))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
-    """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field.
+    """Return whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field.
 
     Raises :class:`UndecidedError` where it is not known whether the ring is a field.
     """
@@ -35,7 +35,7 @@ def is_central_simple(ring: Ring, c: Constants) -> bool:
 
 
 def is_semisimple(ring: Ring, c: Constants) -> bool:
-    """Tell whether the algebra is semisimple. Raises :class:`UndecidedError`.
+    """Return whether the algebra is semisimple. Raises :class:`UndecidedError`.
 
     Over a field or a finite ring, where it has finite length, that is whether its radical is 0. Over ℤ and
     polynomial rings it has not, and is not semisimple.
@@ -50,7 +50,7 @@ def is_semisimple(ring: Ring, c: Constants) -> bool:
 
 
 def is_local(ring: Ring, c: Constants) -> bool:
-    """Tell whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
+    """Return whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
 
     A finite ring is local when 0 and 1 are its only idempotents. Over a field a central simple algebra is
     local when it is a division algebra. A degenerate one is not, when X² − t·X − a, with b = 0, or X² − b

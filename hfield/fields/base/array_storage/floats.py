@@ -51,11 +51,11 @@ class FloatArrays(BatchStorage[Block]):
         return self._kernels[name]
 
     def _compiles(self, size: int) -> bool:
-        """Tell whether a loop is compiled for so many elements."""
+        """Return whether a loop is compiled for so many elements."""
         return size >= MIN_COMPILED and self.dtype == "<f8" and machine_code.available()
 
     def elementwise(self, name: str, *operands: Block) -> Block:
-        """Do an operation, of many elements in a compiled loop."""
+        """Apply an operation, in a compiled loop for many elements."""
         if not self._compiles(max(p[0].size for p in operands)):
             return self.encode(self.plain.elementwise(name, *map(self.coordinates, operands)))
         (w, x, y, z), _ = self.kernel(name)(*map(rows_of, operands))
@@ -71,7 +71,7 @@ class FloatArrays(BatchStorage[Block]):
     # --- in and out ----------------------------------------------------------------------------
 
     def encode(self, coordinates: Coordinates) -> Block:
-        """Encode four arrays of one shape; no copy is made of rows of one array, nor of the array itself."""
+        """Encode four arrays of one shape; rows of one array are not copied."""
         block = coordinates if isinstance(coordinates, np.ndarray) else block_of(coordinates)
         if block is None:
             block, _ = memory.block((4, *coordinates[0].shape), self.dtype)

@@ -46,7 +46,7 @@ class FractionArrays(WordArrays):
         return program, sides
 
     def in_words(self, name: str, *operands: Rows) -> Rows | None:
-        """Run an operation and put what is no norm or trace in lowest terms."""
+        """Run an operation, and reduce results other than norms and traces to lowest terms."""
         if name in ("norm", "trace", "adjoint", "conjugate", "negative"):
             rows = super().in_words(name, *(p[:4] for p in operands))
             if rows is not None and name in ("conjugate", "negative"):
@@ -114,7 +114,7 @@ class FractionArrays(WordArrays):
         return None if found is None else self.packed(found)
 
     def units(self, p: Rows) -> np.ndarray:
-        """Tell which elements have an inverse."""
+        """Return which elements have an inverse."""
         rows = self.in_words("norm", p)
         units: np.ndarray = self.by_arrays("units", p) if rows is None else rows[0] != 0
         return units
@@ -131,7 +131,7 @@ _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
 
 
 def is_whole(values: object) -> bool:
-    """Tell whether a value is an int, or an array of numpy's, that 64 bits hold."""
+    """Return whether a value is an int, or an array of numpy's, that 64 bits hold."""
     if type(values) is int:
         return -(2**63) < values < 2**63
     return is_plain_array(values) and values.dtype.kind in "ib"

@@ -61,7 +61,7 @@ class LabelArrays(RowArrays):
         return w, x, y, z
 
     def check_numbers(self, block: Row) -> None:
-        """Refuse what is no label."""
+        """Raise for values that are not labels."""
         order = self.ring.order
         if block.size and not (int(block.min()) >= 0 and int(block.max()) < order):
             wrong = int(block.min()) if int(block.min()) < 0 else int(block.max())
@@ -119,7 +119,7 @@ class LabelArrays(RowArrays):
         return self._run_scalar("trace", p)
 
     def units(self, p: Rows) -> np.ndarray:
-        """Tell which elements have an inverse."""
+        """Return which elements have an inverse."""
         norms = self.kernel("norm")(p)[0][0] if self.compiles else None
         units: np.ndarray = self.by_arrays("units", p) if norms is None else self._units(norms)
         return units
@@ -157,7 +157,7 @@ class LabelArrays(RowArrays):
         return np.array(found, dtype=self.dtype)
 
     def _units(self, row: Row) -> Any:
-        """Tell which labels are those of units."""
+        """Return which labels are those of units."""
         if self.ring.is_field:
             return row != 0
         return np.logical_and.reduce([row % row.dtype.type(p) != 0 for p in self._primes])
@@ -207,7 +207,7 @@ def labels(F: Any, values: Any, dtype: str) -> Row:
 
 
 def check_galois(F: Any, values: galois.FieldArray) -> None:
-    """Refuse values of galois over another field, or modulo another polynomial."""
+    """Raise for values of galois over another field, or modulo another polynomial."""
     cls = type(values)
     degree = getattr(F, "degree", 1)
     same = F.is_field and (cls.characteristic, cls.degree) == (F.characteristic, degree)

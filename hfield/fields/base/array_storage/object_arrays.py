@@ -85,7 +85,7 @@ class ObjectArrays(BatchStorage[Values]):
     # --- arithmetic ----------------------------------------------------------------------------
 
     def elementwise(self, name: str, *operands: Values) -> Values:
-        """Do an operation on every entry, as it is done on single elements."""
+        """Apply an operation of single elements to every entry."""
         return each(getattr(self.entries, name), *operands)[0]
 
     def inverse(self, p: Values) -> Values | None:
@@ -102,18 +102,18 @@ class ObjectArrays(BatchStorage[Values]):
         return self._of_the_ring(self.elementwise("trace", p))
 
     def units(self, p: Values) -> Values:
-        """Tell which elements have an inverse."""
+        """Return which elements have an inverse."""
         return each(lambda x: self.ring.is_unit(self.entries.norm(x)), p)[0].astype(bool)
 
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Values, q: Values) -> Values:
-        """Tell where p = q."""
+        """Return where p = q."""
         self._check(p, q, "compare")
         return self.elementwise("equal", p, q).astype(bool)
 
     def is_zero(self, p: Values) -> Values:
-        """Tell where p = 0."""
+        """Return where p = 0."""
         return self.elementwise("is_zero", p).astype(bool)
 
 

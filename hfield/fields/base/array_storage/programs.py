@@ -1,4 +1,4 @@
-"""The programs that arrays of quaternions need beside those of the one formula: coordinate by coordinate."""
+"""Programs of arrays of quaternions other than the product formula, coordinate by coordinate."""
 
 from hfield.core.straight_line import FIRST, SECOND, ZERO, Program, ProgramStep
 

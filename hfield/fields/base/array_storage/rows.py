@@ -38,7 +38,7 @@ class RowArrays(BatchStorage[Rows]):
 
     @cached_property
     def plain(self) -> BatchStorage:
-        """The storage that computes with arrays of the ring: the reference, and where there is no LLVM."""
+        """The storage by arrays of the ring: the reference, and the fallback without LLVM."""
         return BatchStorage(self.ring, self.constants)
 
     def by_arrays(self, operation: str, *operands: Rows) -> Any:
@@ -106,14 +106,14 @@ class RowArrays(BatchStorage[Rows]):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Rows, q: Rows) -> np.ndarray:
-        """Tell where p = q."""
+        """Return where p = q."""
         self._check(p, q, "compare")
         pairs = zip(p, q, strict=True)
         same: np.ndarray = np.logical_and.reduce([np.equal(x, y) for x, y in pairs])
         return same
 
     def is_zero(self, p: Rows) -> np.ndarray:
-        """Tell where p = 0."""
+        """Return where p = 0."""
         nonzero: np.ndarray = np.logical_or.reduce([row.astype(bool) for row in p])
         return ~nonzero
 
@@ -146,7 +146,7 @@ class RowArrays(BatchStorage[Rows]):
         return values.astype(self.dtype, copy=False)
 
     def check_numbers(self, block: Row) -> None:
-        """Refuse numbers that stand for no element."""
+        """Raise for numbers that do not encode an element."""
 
 
 def block_of(rows: Sequence[Row]) -> Row | None:

@@ -43,7 +43,7 @@ NARROW = ("i1", "i2", "i4")
 
 
 class WordArrays(RowArrays):
-    """What ℤ and ℚ share: rows of words, or one row of the stored values of single elements.
+    """The common part of arrays over ℤ and ℚ: rows of words, or one row of stored values.
 
     The latter is where a number is larger than a word. An operation runs without checks where the operands
     are small, else again with every overflow noticed, else as on single elements. Integers of less than 64
@@ -132,7 +132,7 @@ class WordArrays(RowArrays):
         return getattr(self.plain, operation)(*map(self.values, operands))
 
     def elementwise(self, name: str, *operands: Rows) -> Rows:
-        """Run an operation in words, else on the stored values of single elements."""
+        """Run an operation on words, or on the stored values of single elements if words overflow."""
         rows = self.in_words(name, *operands)
         return self.packed(self.by_arrays(name, *operands)) if rows is None else rows
 
@@ -151,13 +151,13 @@ class WordArrays(RowArrays):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Rows, q: Rows) -> np.ndarray:
-        """Tell where p = q."""
+        """Return where p = q."""
         words = is_words(p) and is_words(q)
         same: np.ndarray = super().equal(p, q) if words else self.by_arrays("equal", p, q)
         return same
 
     def is_zero(self, p: Rows) -> np.ndarray:
-        """Tell where p = 0."""
+        """Return where p = 0."""
         words = is_words(p)
         zero: np.ndarray = super().is_zero(p[:4]) if words else self.by_arrays("is_zero", p)
         return zero
@@ -256,7 +256,7 @@ class WholeArrays(WordArrays):
 
 
 def is_words(p: Rows) -> bool:
-    """Tell whether rows are of integers, and not of objects."""
+    """Return whether rows are of integers, and not of objects."""
     return p[0].dtype != object
 
 

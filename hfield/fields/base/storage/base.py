@@ -109,7 +109,7 @@ class Storage(Generic[H]):
         return self.divided(self.conjugate(p), self.norm(p))
 
     def one(self, p: H) -> H:
-        """Encode e; an array of it, as large as p is."""
+        """Encode e, as an array of the shape of p."""
         return self.scalar(self.ring.one)
 
     def power(self, p: H, n: int) -> H:
@@ -141,11 +141,11 @@ class Storage(Generic[H]):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: H, q: H) -> bool | np.ndarray:
-        """Tell whether p = q."""
+        """Return whether p = q."""
         return all(map(self.ring.equal, self.coordinates(p), self.coordinates(q)))
 
     def is_zero(self, p: H) -> bool | np.ndarray:
-        """Tell whether p = 0."""
+        """Return whether p = 0."""
         return all(map(self.ring.is_zero, self.coordinates(p)))
 
     def key(self, p: H) -> Hashable:
@@ -223,12 +223,12 @@ class BatchStorage(Storage[H]):
         raise CoercionError(self._no_integers())
 
     def prepare(self) -> None:
-        """Compile what the operations need, if they need a compiler."""
+        """Compile the code of the operations, if they need a compiler."""
 
     # --- arithmetic ----------------------------------------------------------------------------
 
     def elementwise(self, name: str, *operands: H) -> H:
-        """Do an operation that turns elements into an element, on operands whose shapes broadcast."""
+        """Apply an operation on elements to operands whose shapes broadcast."""
         found: H = getattr(super(), name)(*operands)
         return found
 
@@ -318,7 +318,7 @@ class BatchStorage(Storage[H]):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: H, q: H) -> np.ndarray:
-        """Tell where p = q: a bool array."""
+        """Return where p = q: a bool array."""
         import numpy as np
 
         self._check(p, q, "compare")
@@ -327,7 +327,7 @@ class BatchStorage(Storage[H]):
         return same
 
     def is_zero(self, p: H) -> np.ndarray:
-        """Tell where p = 0: a bool array."""
+        """Return where p = 0: a bool array."""
         zero = self.ring.zero
         return self.equal(p, self.lift((zero, zero, zero, zero)))
 
@@ -335,7 +335,7 @@ class BatchStorage(Storage[H]):
         return f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
 
     def _check(self, p: H, q: H, operation: str) -> None:
-        """Refuse two arrays whose shapes do not broadcast."""
+        """Raise if the shapes of two arrays do not broadcast."""
         left, right = self.shape(p), self.shape(q)
         if left != right and left and right:
             from hfield.fields.base.arrays import check_shapes

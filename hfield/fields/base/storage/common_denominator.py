@@ -14,7 +14,7 @@ FractionTuple = tuple[Any, ...]  # the numerators of w, x, y, z, and the denomin
 
 
 class CommonDenominatorStorage(Compact[FractionTuple]):
-    """Elements whose coordinates have a denominator in common, in lowest terms.
+    """Storage of elements as coordinates over a common denominator, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
     is scaled to i′ = m·i, j′ = k·j, so that the constants a′ = m²a, t′ = mt, b′ = k²b have no denominators:
@@ -79,7 +79,9 @@ class CommonDenominatorStorage(Compact[FractionTuple]):
         return function(operation, p, [*formula(operation, results), value])
 
     def names(self) -> dict[str, object]:
-        """Return what every source names; a field adds its constants and how it puts in lowest terms."""
+        """Return the names used in every source; a field adds its constants and its reduction to lowest
+        terms.
+        """
         return {"by_norm": self._by_norm}
 
     def _by_norm(self, p: FractionTuple) -> FractionTuple | None:
@@ -93,7 +95,7 @@ class CommonDenominatorStorage(Compact[FractionTuple]):
         return stored
 
     def is_zero(self, p: FractionTuple) -> bool:
-        """Tell whether p = 0."""
+        """Return whether p = 0."""
         return all(c == 0 for c in p[:-1])
 
     def key(self, p: FractionTuple) -> Hashable:

@@ -59,7 +59,7 @@ class Compact(Storage[H]):
             setattr(self, name, partial(self._first_call, name))
 
     def read(self, values: tuple[object, ...]) -> H:
-        """Encode four values that the ring reads; ints take a short way."""
+        """Encode four values that the ring reads; ints have a fast path."""
         w, x, y, z = values
         if type(w) is type(x) is type(y) is type(z) is int:
             return self.whole(w, x, y, z)
@@ -70,7 +70,7 @@ class Compact(Storage[H]):
         return super().read((w, x, y, z))
 
     def equal(self, p: H, q: H) -> bool:
-        """Tell whether p = q."""
+        """Return whether p = q."""
         return bool(p == q)
 
     @abstractmethod

@@ -41,7 +41,7 @@ class FractionStorage(CommonDenominatorStorage):
         vector: Callable[[Any], Vector],
         element: Callable[..., Any],
     ) -> None:
-        """Take the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
+        """Store the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
 
         the denominator 1 where it is left out."""
         super().__init__(ring, constants)
@@ -59,7 +59,7 @@ class FractionStorage(CommonDenominatorStorage):
         self.relation, self.whole_relation = self._named("m", list(relation)), relation
 
     def _named(self, letter: str, values: list[int]) -> tuple[str, ...]:
-        """Return integers as the specialiser takes them, and remember those that it names."""
+        """Return integers in the form of the specialiser, and record the named ones."""
         names = parts(letter, self.degree)
         self.integers |= dict(zip(names, values, strict=True))
         return tuple(named(v, name, int.__eq__) for name, v in zip(names, values, strict=True))
@@ -107,7 +107,7 @@ class FractionStorage(CommonDenominatorStorage):
     # --- arithmetic ----------------------------------------------------------------------------
 
     def names(self) -> dict[str, object]:
-        """Return the constants, and what puts fractions in lowest terms."""
+        """Return the constants, and the function that reduces fractions to lowest terms."""
         tools = {"element": self._element, "gcd": gcd, "lowest": lowest}
         tools["reciprocal"] = self._reciprocal
         return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
@@ -179,7 +179,7 @@ class FractionStorage(CommonDenominatorStorage):
         return u, v, w, x * u + x1 * v + x2 * w
 
     def settle(self, names: list[str]) -> list[str]:
-        """Write how to return ints over d in lowest terms; one look tells whether they are large."""
+        """Emit the code that returns ints over d in lowest terms."""
         listed = ", ".join(names)
         return [
             "if d == 1:",
@@ -199,7 +199,7 @@ def _denominator(vector: Vector) -> int:
 
 
 def lowest(*fraction: Any) -> FractionTuple:
-    """Put integers over one positive denominator, which is the last, in lowest terms.
+    """Reduce integers over a common positive denominator, the last entry, to lowest terms.
 
     Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """

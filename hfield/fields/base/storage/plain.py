@@ -21,7 +21,7 @@ class Plain(Compact[Coordinates]):
         self.is_unique = False
 
     def equal(self, p: Coordinates, q: Coordinates) -> bool:
-        """Tell whether p = q."""
+        """Return whether p = q."""
         return all(map(self.ring.equal, p, q))
 
     def source(self, operation: str) -> str:

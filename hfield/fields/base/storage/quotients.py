@@ -1,4 +1,4 @@
-"""Elements over R/(n) as four representatives, which sums of products reduce once; those over ℤ/n."""
+"""Storage of elements over R/(n) as four representatives; each sum of products is reduced once."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Quotients(Compact[Representatives]):
         project: Callable[[Any], Any],
         invert: Callable[[Any], Any],
     ) -> None:
-        """Take the maps from the ring to representatives and back.
+        """Store the maps from the ring to representatives and back.
 
         ``invert`` returns a representative of the inverse or raises ValueError.
         """
@@ -83,7 +83,7 @@ class Quotients(Compact[Representatives]):
         return w * s % n, x * s % n, y * s % n, z * s % n
 
     def is_zero(self, p: Representatives) -> bool:
-        """Tell whether p = 0."""
+        """Return whether p = 0."""
         return p == (0, 0, 0, 0)
 
 
@@ -98,7 +98,7 @@ REDUCED = "return w % n, x % n, y % n, z % n"
 
 
 class ResidueStorage(Quotients):
-    """Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large."""
+    """Storage of elements over ℤ/n as four ints between 0 and n − 1, of flint for large n."""
 
     def __init__(self, ring: Modular, constants: Constants) -> None:
         n, word = ring.modulus, ring.modulus < LARGE

@@ -101,7 +101,7 @@ def _smith(m: list[list[int]], k: int) -> tuple[list[int], list[list[int]], list
 
 
 class _Field:
-    """S-units of a field put in order: units apart from those that are none."""
+    """The S-units of a field: units, and generators that are not units."""
 
     def __init__(self, ring: NumberField) -> None:
         self.s: SUnits = s_units(ring)
@@ -310,7 +310,9 @@ class ClassGroup(Certified):
 
     @cached_property
     def evidence(self) -> dict[str, object]:
-        """What shows it, as JSON data: reductions, generators of S-units, where they are saturated."""
+        """The evidence as JSON data: reductions, generators of S-units, primes at which they are
+        saturated.
+        """
         return evidence.evidence(self._field.s)
 
     @property
@@ -376,7 +378,7 @@ class UnitGroup(Certified):
 
     @cached_property
     def evidence(self) -> dict[str, object]:
-        """What shows it, as for the class group."""
+        """The evidence, as for the class group."""
         return evidence.evidence(self._field.s)
 
     @property

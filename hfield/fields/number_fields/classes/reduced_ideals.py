@@ -26,7 +26,7 @@ Form = tuple[int, int]
 
 
 class ReducedIdeals:
-    """The classes that prime ideals P₁, P₂, … of a quadratic field generate, one after the other.
+    """The subgroup of the class group of a quadratic field that prime ideals P₁, P₂, … generate.
 
     ``rows`` are the exponents of :attr:`relations`. All x with such an ideal are products of those, the
     :attr:`unit` and roots of unity. Numbers are computed when they are needed, as they may be long.
@@ -51,7 +51,7 @@ class ReducedIdeals:
         self.rows: list[list[int]] = []
 
     def __contains__(self, a: FractionalIdeal) -> bool:
-        """Tell whether the primes generate the class of an ideal."""
+        """Return whether the class of an ideal is in the subgroup."""
         return self._path(self._form(a)[0])[-1] in self._place
 
     @cached_property
@@ -86,7 +86,7 @@ class ReducedIdeals:
     # --- the group ---------------------------------------------------------------------------------
 
     def adjoin(self, a: FractionalIdeal) -> None:
-        """Take a prime into the group, with the relation of its first power that lies in the group before."""
+        """Add a prime to the generators, with the relation of its first power that lies in the subgroup."""
         P = self._form(a)[0]
         before, count = len(self._starts), len(self.rows)
         powers = [P, self._path(P)[-1]]

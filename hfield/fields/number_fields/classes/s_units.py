@@ -60,7 +60,9 @@ QUADRATIC = "a unit > 1 of a real quadratic field is at least (√(D − 4) + �
 
 
 class SUnits:
-    """Generators of the S-units of a field modulo roots of unity: as many as ``primes`` and the unit rank."""
+    """Generators of the S-units of a field modulo roots of unity: the unit rank plus the number of
+    ``primes``.
+    """
 
     def __init__(self, frame: MaximalOrder) -> None:
         self.frame, self.field, self.n = frame, frame.field, frame.n
@@ -164,7 +166,7 @@ class SUnits:
         return out if rest_below == 1 or not self._has(rest_below, valuation) else None
 
     def _rest(self, n: int) -> int:
-        """Return what is left of an integer without the prime numbers below the base."""
+        """Return the part of an integer that is prime to the prime numbers below the base."""
         n = abs(n)
         common = math.gcd(n, self._primorial)
         while common != 1:
@@ -180,7 +182,7 @@ class SUnits:
         return self._places_above[p]
 
     def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
-        """Tell whether a prime that may divide a denominator does."""
+        """Return whether a prime divides the denominator."""
         above = (P for p, _ in _factors(rest) for P in self.frame.field.primes_above(p))
         return any(map(valuation, above))
 
@@ -193,7 +195,9 @@ class SUnits:
         return math.prod(self._rational)
 
     def _reduce_base(self) -> None:
-        """Find for the primes of the base an element with that prime once, and else earlier ones."""
+        """Find for each prime of the base an element with this prime to the first power and otherwise
+        earlier primes.
+        """
         self.reductions = {}
         small = max(7, abs(self.field.discriminant()).bit_length())
         numbers: dict[int, list[int]] = {}
@@ -300,7 +304,7 @@ class SUnits:
     # --- the group ---------------------------------------------------------------------------------
 
     def _enumerate(self) -> ReducedIdeals:
-        """Take all relations from the reduced ideals of a quadratic field: the group is known to be all."""
+        """Take all relations from the reduced ideals of a quadratic field, which give the whole group."""
         found = ReducedIdeals(self.frame)
         for k, P in enumerate(self.base):
             ideal = self.frame.prime(P)
@@ -320,7 +324,7 @@ class SUnits:
 
     @cached_property
     def reductions(self) -> dict[int, tuple[FieldElement, dict[int, int]]]:
-        """For the index of each prime P of the base outside S: a number x and the exponents of its primes.
+        """For each prime P of the base outside S, by index: a number x and the exponents of its primes.
 
         P divides x once; all other primes of x lie in S or come before P.
         """
@@ -337,7 +341,7 @@ class SUnits:
 
     @cached_property
     def saturated(self) -> dict[int, list[tuple[int, int]]]:
-        """Primes ℓ, with primes of degree one whose residues show that the group is saturated at ℓ."""
+        """Primes ℓ, with primes of degree one at which residues prove that the group is saturated at ℓ."""
         every = range(len(self.generators))
         for ell in self.possible_divisors():
             found = self._root_at(ell, every)
@@ -345,7 +349,7 @@ class SUnits:
         return self._saturated
 
     def _collect(self) -> None:
-        """Find elements that span a subgroup of finite, and small, index."""
+        """Find elements that span a subgroup of small finite index."""
         wanted = len(self.primes) + self.rank
         if not wanted:
             return
@@ -457,7 +461,7 @@ class SUnits:
         return [x for x, row in zip(self.generators, self.rows, strict=True) if not any(row)]
 
     def has_primes_to(self, bound: int) -> bool:
-        """Tell whether all prime ideals of norm up to a bound are in the base."""
+        """Return whether all prime ideals of norm up to a bound are in the base."""
         return all(
             P in self.place
             for p in primes(bound + 1)
@@ -494,7 +498,7 @@ class SUnits:
         return least, FRIEDMAN
 
     def _saturate(self) -> None:
-        """Take roots into the group until it is saturated at all primes that its index may have.
+        """Adjoin roots until the group is saturated at all primes that may divide its index.
 
         The index is that of the units times h'/h: only units matter at a prime that does not divide h'.
         """
@@ -794,7 +798,7 @@ def _value(f: Sequence[int], r: int, modulus: int) -> int:
 
 
 def _short_with_residue(frame: MaximalOrder, r: int, y: int, modulus: int) -> FieldElement:
-    """Return a short integer of the field that goes to y where s goes to r, modulo a prime power."""
+    """Return a short integer of the field that is y modulo a prime power, where s is r."""
     residues_ = [residue(w, r, modulus) for w in frame.basis]
     pivot = next(k for k, w in enumerate(residues_) if math.gcd(w, modulus) == 1)
     inverse = pow(residues_[pivot], -1, modulus)
@@ -815,7 +819,7 @@ def _factors(n: int) -> list[tuple[int, int]]:
 
 
 class _Span:
-    """The rank of rows of integers, modulo a large prime, row by row."""
+    """The rank of rows of integers modulo a large prime, updated row by row."""
 
     PRIME = (1 << 61) - 1
 
@@ -828,7 +832,7 @@ class _Span:
         return len(self._rows)
 
     def add(self, row: Sequence[int]) -> bool:
-        """Take a row into the span; tell whether the rank is larger now."""
+        """Add a row to the span; return whether the rank grew."""
         if self.rank == self.width:
             return False
         p, left = self.PRIME, list(row)

@@ -1,4 +1,5 @@
-"""All integers of a number field that are small at all infinite places, and what they say about units.
+"""Short integers of a number field: all that are small at all infinite places, and bounds of units from
+them.
 
 The length of x is T₂(x) = Σ |xᵥ|², summed over the n embeddings. Elements are found in floating point, with
 more room than rounding can take; what is small is listed in arrays.

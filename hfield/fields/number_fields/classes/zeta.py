@@ -74,7 +74,7 @@ def _pole(weight: int) -> list[Fraction]:
 
 
 class _Sums:
-    """Sums of σ₁(ν·D) over totally positive ν of given trace in D⁻¹."""
+    """Sums of σ₁(ν·D) over totally positive ν in D⁻¹ of given trace."""
 
     def __init__(self, frame: MaximalOrder) -> None:
         self.frame, n = frame, frame.n
@@ -141,7 +141,7 @@ class _Sums:
 
 
 def _near(x: flint.arb) -> int:
-    """Return an integer less than 1 away from what lies in a narrow ball."""
+    """Return an integer at distance less than 1 from the number in a narrow ball."""
     assert x.rad() < 0.5
     return int((x.mid() + flint.arb(0.5)).mid().floor().unique_fmpz())
 

@@ -1,4 +1,4 @@
-"""The arithmetic of quadratic number fields as global fields: what is quicker than in other number fields."""
+"""The arithmetic of quadratic fields as global fields, where it is faster than that of number fields."""
 
 from __future__ import annotations
 

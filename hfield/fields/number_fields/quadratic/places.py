@@ -54,7 +54,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @cached_property
     def _general(self) -> PrimeIdeal:
-        """The ideal as other number fields have it."""
+        """The prime ideal in the form of general number fields."""
         above = general_primes_above(self.field, self.p)
         second = self.generators[1]
         return above[0] if len(above) == 1 else next(P for P in above if not P.residue_of(second))
@@ -71,7 +71,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @cached_property
     def beta(self) -> FieldElement:  # type: ignore[override]
-        """A number whose product with the ideal lies in p."""
+        """A number β with β·P in p·O."""
         return self._general.beta
 
     @cached_property
@@ -135,7 +135,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @property
     def root_of_omega(self) -> int:
-        """Where ω goes modulo an ideal whose residue field has p elements."""
+        """The residue of ω modulo an ideal with p residues."""
         p, d, r = self.p, self.d, self.root or 0
         if p == 2:
             return (r + 1) // 2 % 2 if d % 4 == 1 else d % 2

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class DegreeOne(PrimePlace):
-    """A prime ideal with residue field ℤ/p: ω goes to ``root``. ``index`` is 2 where p ramifies, else 1.
+    """A prime ideal with residue field ℤ/p, where ω is ``root``. ``index`` is 2 if p ramifies, else 1.
 
     ``uniformiser`` and ``inverse_uniformiser`` have valuation 1 and −1 here, and the second is integral at
     all other primes; they are no inverses.

@@ -59,7 +59,7 @@ class QuadraticField(NumberField):
         return {"kind": "quadratic field", "d": self.d}
 
     def in_words(self) -> str:
-        """Say what the field is."""
+        """Return a description of the field."""
         root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
         return f"the quadratic number field ℚ({root}"
 
@@ -227,7 +227,7 @@ class QuadraticField(NumberField):
 
     @property
     def signature(self) -> tuple[int, int]:
-        """How many real and how many complex places there are."""
+        """The numbers of real and of complex places."""
         return (2, 0) if self.d > 0 else (0, 1)
 
     def known_primes_above(self, p: int) -> tuple[QuadraticPrime, ...]:
@@ -254,7 +254,7 @@ class QuadraticField(NumberField):
         return self.real_places() or (QuadraticComplexPlace(self, 0),)
 
     def places(self) -> Iterator[Place]:
-        """Run through the places: the infinite ones, √d positive first, then prime by prime."""
+        """Yield the places: the infinite ones, √d positive first, then prime by prime."""
         from hfield.fields.number_fields.places import finite_places
 
         yield from reversed(self.infinite_places())

@@ -72,7 +72,7 @@ def _local(v: QuadraticPrime, x: tuple[int, int]) -> tuple[int, int]:
 
 
 def is_dyadic(v: Place) -> bool:
-    """Tell whether this is the one place above a 2 that does not split."""
+    """Return whether this is the only place above 2."""
     return isinstance(v, QuadraticPrime) and v.p == 2 and v.root is None
 
 

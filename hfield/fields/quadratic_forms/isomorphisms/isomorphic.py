@@ -103,7 +103,7 @@ def verified(
 
 
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
-    """Tell whether two algebras over the same field are isomorphic.
+    """Return whether two algebras over the same field are isomorphic.
 
     Raises :class:`UndecidedError` where the field has no theory for it.
     """
@@ -131,7 +131,7 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
 
 
 def _same(ring: Ring, c: Constants, other: Constants) -> bool:
-    """Tell whether the constants are known to be the same."""
+    """Return whether the constants are known to be equal."""
     try:
         return all(x is y or ring.equal(x, y) for x, y in zip(c, other, strict=True))
     except UndecidedError:
@@ -168,7 +168,7 @@ def _images(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Co
 
 
 def _primes_of_both(ring: Ring, *algebras: Constants) -> AbstractContextManager[None]:
-    """Let the primes that are found in one of the constants serve for all."""
+    """Share the primes found in one of the constants with the others."""
     field = global_field(ring)
     if field is None:
         return nullcontext()

@@ -189,7 +189,7 @@ def product(m: Matrix, n: Matrix) -> Matrix:
 
 
 def _relations(ring: Ring, c: Constants, one: Matrix, i: Matrix, j: Matrix, k: Matrix) -> bool:
-    """Tell whether the matrices satisfy ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``."""
+    """Return whether the matrices satisfy ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``."""
 
     def combine(*terms: tuple[Scalar, Matrix]) -> Matrix:
         (a, b), (d, e) = (

@@ -1,4 +1,4 @@
-"""From a common slot of two isomorphic algebras to i and j of one inside the other: three conics.
+"""Embed i and j of one algebra in an isomorphic one from a common slot, by three conics.
 
 Isomorphic algebras (a, b) and (p, q) have an e with (a, b) = (a, e) = (p, e) = (p, q). How it is found, and
 how conics are solved, is the field's business; given both, the rest is the same over every field.

@@ -38,7 +38,7 @@ class ExpandedConstants(Protocol):
 
 
 def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
-    """Look for an order of the variables in which the norm has no zero."""
+    """Search for an order of the variables that shows that the norm has no nontrivial zero."""
     if not isinstance(ring, ExpandedConstants):
         return None
     variables, parts = ring.expanded_in, ring.parts

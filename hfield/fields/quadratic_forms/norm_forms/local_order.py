@@ -70,7 +70,9 @@ def hyperbolic_plane(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vec
 
 
 def _enlarged(place: FinitePlace, c: Constants, one: Scalar) -> Halves | tuple[Vector, Vector]:
-    """Enlarge the lattice of the basis e, i, j, k until it is in halves, or a plane with a zero is met."""
+    """Enlarge the lattice of the basis e, i, j, k until it splits in two halves, or an isotropic plane
+    appears.
+    """
     zero = one - one
     basis = [[one if m == n else zero for n in range(4)] for m in range(4)]
     for v in basis:
@@ -146,7 +148,7 @@ def _isotropic(place: FinitePlace, form: Form, names: list[int]) -> Vector | Non
 
 
 def _generates(place: FinitePlace, c: Constants, u: Vector, one: Scalar) -> bool:
-    """Tell whether X² − tr(u)·X + N(u) has no root in the residue field."""
+    """Return whether X² − tr(u)·X + N(u) has no root in the residue field."""
     trace = u[0] + u[0] + c.t * u[1]
     a, b, d = (place.reduce(x) for x in (one, trace, _norm(c, u)))
     return place.quadratic_root(a, b, d) is None
@@ -158,7 +160,7 @@ def _norm(c: Constants, v: Vector) -> Any:
 
 
 def _scale(v: Vector, place: FinitePlace, n: int) -> None:
-    """Multiply a vector by something of the valuation n."""
+    """Multiply a vector by an element of valuation n."""
     factor = place.uniformiser if n > 0 else place.inverse_uniformiser
     for _ in range(abs(n)):
         v[:] = [factor * x for x in v]

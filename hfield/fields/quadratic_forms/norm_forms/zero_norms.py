@@ -1,4 +1,4 @@
-"""Is there a nonzero element of norm 0? The one question behind division, splitting and zero divisors.
+"""Nonzero elements of norm 0, which decide division, splitting and zero divisors.
 
 Every answer is evidence: an element that was multiplied out, or a proof with its reason. The
 procedures are tried from the cheap to the deep, and the first that applies decides.
@@ -73,7 +73,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
 
 
 def is_division(ring: Ring, c: Constants) -> bool:
-    """Tell whether the algebra is a division algebra, that is, whether every nonzero q has an inverse.
+    """Return whether the algebra is a division algebra, that is, whether every nonzero q has an inverse.
 
     Over a ring that is not a field none is, for a scalar without inverse has none in the algebra
     either. Raises :class:`UndecidedError` as :func:`zero_norm` does.
@@ -130,7 +130,7 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
 
 
 def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
-    """Tell whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
+    """Return whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
     try:
         return ring.is_zero(discriminant(ring, c))
     except UndecidedError:
@@ -138,7 +138,7 @@ def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
 
 
 def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
-    """Answer for an algebra whose norm form is degenerate: (t² + 4a)·b = 0, over a field."""
+    """Decide for an algebra over a field whose norm form is degenerate: (t² + 4a)·b = 0."""
     _, t, b = c
     zero, one = ring.zero, ring.one
     if ring.is_zero(b):
@@ -169,7 +169,7 @@ def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
 
 
 def _ordering(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
-    """Look for an ordering in which a and b are negative: there N is positive definite."""
+    """Search for an ordering in which a and b are negative, so that N is positive definite."""
     if form.kind != "symbol" or ring.characteristic:
         return None
     count = ring.orderings.value

@@ -1,4 +1,4 @@
-"""Zero norms over fields: written down over finite ones, found by the places over others, or by squares."""
+"""Elements of norm 0 over fields: explicit over finite fields, by places or by squares over others."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ POINTS = (1, 2, -1, 3, 0, -2, 5, -3)
 
 
 def zero_norm_integral(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
-    """Answer over a ring that is not a field, by way of the fields that belong to it."""
+    """Decide over a ring that is not a field, by its residue fields or its field of fractions."""
     if isinstance(ring, Modular):
         return _residues(ring, c, decide)
     if ring == ZZ:
@@ -68,7 +68,7 @@ def _integers(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 
 
 def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm:
-    """Answer over R[x, y, …]: give all variables but one values in the field of R, and ask there.
+    """Decide over R[x, y, …] by specialising all variables but one.
 
     An element of norm 0 with coprime polynomial coordinates stays one, and nonzero, where one variable
     takes a value at which (t² + 4a)·b is not 0; so a division algebra at one point is one in general.
@@ -101,14 +101,14 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
 
 
 def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
-    """Run through the variable to keep and values for the others."""
+    """Yield the variable to keep and values for the others."""
     for values in itertools.product(POINTS, repeat=len(used) - 1):
         for keep in used:
             yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
 
 
 def _specialise(x: SparsePolynomial, field: Ring, index: int, point: dict[int, int]) -> Any:
-    """Return x with the variable ``index`` kept and those in ``point`` given values."""
+    """Return x with the variable ``index`` kept and values substituted for those in ``point``."""
     total = field.zero
     for exponents, c in x.terms():
         scale = math.prod(v ** int(exponents[i]) for i, v in point.items())
