@@ -9,7 +9,7 @@ T = TypeVar("T")
 
 
 class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands for that of functools
-    """A cached property without a lock, whose first computation takes a third of the time of that of functools.
+    """A cached property without a lock: the first access takes a third of the time of functools's.
 
     Python takes no lock since 3.12: two threads may compute a value twice.
     """
