@@ -6,6 +6,8 @@
 6*j
 """
 
+import sys
+
 import lazy_loader
 
 import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
@@ -27,8 +29,13 @@ def __getattr__(name: str) -> object:
     try:
         return _attribute(name)
     except AttributeError as error:
-        from hfield.hints import ForeignNameError, called_here
+        from hfield.hints import ForeignImportError, ForeignNameError, called_here
 
         if not (here := called_here(name)):
             raise
-        raise ForeignNameError(f"hfield has no {name!r}: write {here}", name=name) from error
+        message = f"hfield has no {name!r}: write {here}"
+        # ``from hfield import name`` drops the message of an AttributeError, and ``hasattr`` needs one:
+        # the importing function of Python is known by its name.
+        if sys._getframe(1).f_code.co_name == "_handle_fromlist":
+            raise ForeignImportError(message, name=__name__) from None
+        raise ForeignNameError(message, name=name) from error

@@ -10,6 +10,10 @@ class ForeignNameError(AttributeError):
     """A name of another system was used; the message says what to write instead."""
 
 
+class ForeignImportError(ImportError):
+    """A name of another system in ``from hfield import …``; the message says what is written here."""
+
+
 class ForeignName:
     """A name of another system; access raises an AttributeError with the name to write instead."""
 

@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any
 
 import hfield
 from hfield.errors import HFieldError, shorten
-from hfield.hints import ForeignNameError, called_here
+from hfield.hints import ForeignImportError, ForeignNameError, called_here
 from hfield.notation import BASIS
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.prover.prove import Answer
+
+_SHOWN_IN_A_LINE = (HFieldError, ForeignNameError, ForeignImportError, KeyboardInterrupt)
 
 
 def export_session(answers: Iterable[Answer]) -> str:
@@ -198,7 +200,7 @@ class _Console(InteractiveConsole):
         """Show the error that was just raised."""
         self.failed = True
         error = sys.exc_info()[1]
-        if isinstance(error, (HFieldError, ForeignNameError, KeyboardInterrupt)):
+        if isinstance(error, _SHOWN_IN_A_LINE):
             self.write(f"{_one_line(error)}\n")
         elif isinstance(error, NameError) and (mend := mend_of_name(error)):
             self.write(f"{mend}\n")
@@ -319,7 +321,7 @@ def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
         lambda lines: python_source("".join(lines)).splitlines(keepends=True)
     )
     _complete_in_order(shell, names)
-    shell.set_custom_exc((HFieldError, ForeignNameError, KeyboardInterrupt, NameError), tell)
+    shell.set_custom_exc((*_SHOWN_IN_A_LINE, NameError), tell)
     session.start()
     return 0
 

@@ -59,6 +59,8 @@ def test_names_of_other_systems_say_what_to_write(monkeypatch, capsys):
     assert "name 'nothing_of_ours' is not defined" in said
     said_of_a_method = piped(monkeypatch, capsys, "A.i.nrd\n")[2]
     assert said_of_a_method == "ForeignNameError: a Quaternion has no 'nrd': write norm()\n"
+    said_of_an_import = piped(monkeypatch, capsys, "from hfield import nrd\n")[2]
+    assert said_of_an_import == "ForeignImportError: hfield has no 'nrd': write q.norm()\n"
 
 
 @pytest.mark.parametrize(

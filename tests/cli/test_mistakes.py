@@ -1,5 +1,6 @@
 """Mistakes that people make: each message says what was wrong, what was expected, and what to write."""
 
+import re
 import runpy
 import shlex
 from pathlib import Path
@@ -11,6 +12,7 @@ import hfield
 from hfield import H, QuaternionAlgebra, norm, ring
 from hfield.cli.commands.survey import Columns
 from hfield.errors import CoercionError, HFieldError, RingError
+from hfield.hints import CALLS
 from tests.cli.running import run
 
 TYPED = [
@@ -156,6 +158,17 @@ def test_names_of_other_systems_say_what_to_write():
         hfield.BrandtModule  # noqa: B018
     with pytest.raises(AttributeError, match="No hfield attribute nothing"):
         hfield.nothing  # noqa: B018
+
+
+def test_every_import_of_a_function_of_another_system_says_what_to_write():
+    """``hasattr`` still answers, and a name that nobody has gets the error of Python."""
+    for names, here in CALLS.items():
+        for name in names.split(", "):
+            with pytest.raises(ImportError, match="write " + re.escape(here)):
+                exec(f"from hfield import H, {name}", {})
+            assert not hasattr(hfield, name)
+    with pytest.raises(ImportError, match="cannot import name 'nothing'"):
+        exec("from hfield import nothing", {})
 
 
 def test_a_survey_is_a_table_on_a_terminal():
