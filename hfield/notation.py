@@ -1,15 +1,16 @@
 """Read algebras from text, and write coordinates as plain text, unicode and LaTeX.
 
 An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
-``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``. What other systems write is
-read too (``other_systems``).
+``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``; ``6`` for the algebra over ℚ
+of that reduced discriminant. What other systems write is read too (``other_systems``).
 """
 
 import re
 from collections.abc import Sequence
 
+from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Scalar
-from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
+from hfield.errors import CoercionError, NotationError, NotInvertibleError, RingError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.base.variables import names_in
 from hfield.fields.names import ring
@@ -17,7 +18,7 @@ from hfield.syntax.brackets import outside, split
 from hfield.syntax.other_systems import read
 
 BASIS = ("e", "i", "j", "k")
-_EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)'"
+_EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)', or a discriminant such as 6"
 
 
 _HAMILTON = re.compile(r"^(?:ℍ|\\mathbb\s*\{?H\}?)")
@@ -30,7 +31,7 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
     """Split an algebra's text into the texts of ``a, t, b`` and of the ring.
 
     ``ℍ`` without a field is Hamilton's over ℝ. Raises :class:`NotationError` when the text has not one of the
-    four forms.
+    five forms, and :class:`RingError` for a number that is no discriminant.
     """
     s = read(text) or text.strip().replace("–", "-")
     if _HAMILTON.fullmatch(s):
@@ -42,6 +43,9 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
         raise NotationError(
             f"{text.strip()} needs its field: write H(QQ), or H(RR) for Hamilton's quaternions over the reals"
         )
+    if s.isascii() and s.isdecimal():
+        a, b = constants_of_discriminant(s)
+        return str(a), "0", str(b), "QQ"
     if m := re.fullmatch(r"H\((.+)\)", s, re.DOTALL):
         return "-1", "0", "-1", m[1].strip()
     m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)
@@ -56,6 +60,25 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
         return constants[0], constants[2], constants[1], field
     count = f"{len(constants)} structure constant{'s' * (len(constants) != 1)}"
     raise NotationError(f"{shorten(text)!r} has {count}, which commas separate: {_EXPECTED}")
+
+
+def constants_of_discriminant(discriminant: int | str) -> tuple[Scalar, Scalar]:
+    """Return constants a and b of the algebra over ℚ with that reduced discriminant.
+
+    Raises :class:`RingError` for what is no product of different primes.
+    """
+    from hfield.fields.quadratic_forms.global_field import known_field
+    from hfield.fields.rationals.ring import QQ, ZZ
+
+    n = int(ZZ(discriminant))
+    primes = factorise(n) if n > 0 else {2: n}
+    if primes and max(primes.values()) != 1:
+        raise RingError(
+            f"{shorten(n)} is not the discriminant of an algebra over QQ: expected a product of "
+            "different primes, or an algebra such as '(-1,-11|QQ)'"
+        )
+    a, b = known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1)
+    return a, b
 
 
 def parse_algebra(text: str) -> tuple[Ring, Constants]:

@@ -12,7 +12,7 @@ from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion, check_axis, from_stored, is_many
 from hfield.algebra.structure.elements import analysis
-from hfield.core.factorisation import Factors, factorise, known_primes
+from hfield.core.factorisation import Factors, known_primes
 from hfield.core.product import Constants, Scalar
 from hfield.errors import (
     CoercionError,
@@ -35,7 +35,6 @@ from hfield.fields.names import ring as read_ring
 from hfield.fields.quadratic_forms.global_field import (
     field_named_by,
     global_field,
-    known_field,
     no_flag,
 )
 from hfield.fields.rationals.ring import QQ
@@ -92,8 +91,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
-    are rational numbers, or elements of one number field; a text names the algebra, and an int alone is the
-    reduced discriminant of the algebra, over ℚ. Raises :class:`RingError` for what is none of these.
+    are rational numbers, or elements of one number field; a text names the algebra, and an integer alone is
+    the reduced discriminant of the algebra, over ℚ. Raises :class:`RingError` for what is none of these.
 
     Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
     may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
@@ -122,7 +121,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     @classmethod
     def from_text(cls, text: str) -> QuaternionAlgebra:
-        """Read ``(a,b|F)``, ``[a,b|F)``, ``[a,b,t|F)`` or ``H(F)``. Raises :class:`NotationError`."""
+        """Read ``(a,b|F)``, ``[a,b|F)``, ``[a,b,t|F)``, ``H(F)``, or a discriminant over ℚ.
+
+        Raises :class:`NotationError`.
+        """
         ring, (a, t, b) = notation.parse_algebra(text)
         return cls(ring, a, b, t)
 
@@ -1458,14 +1460,7 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
         F, c = notation.parse_algebra(a)
         return F, c.a, c.b, c.t
     if b is None and isinstance(a, int) and not isinstance(a, bool):
-        primes = factorise(a) if a > 0 else {2: a}
-        if primes and max(primes.values()) != 1:
-            raise RingError(
-                f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of "
-                "different primes, or an algebra such as '(-1,-11|QQ)'"
-            )
-        first, second = known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1)
-        return QQ, first, second, 0
+        return QQ, *notation.constants_of_discriminant(a), 0
     raise RingError(
         f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
         f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"

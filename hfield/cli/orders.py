@@ -134,7 +134,7 @@ def algebra_of(text: str) -> QuaternionAlgebra:
     """Read an algebra, or the one of a discriminant. Raises :class:`RingError`."""
     from hfield.algebra import QuaternionAlgebra
 
-    return QuaternionAlgebra(int(text) if text.isascii() and text.isdecimal() else text)
+    return QuaternionAlgebra(text)
 
 
 def announce(number: int, seconds: float, instead: str) -> None:

@@ -299,7 +299,9 @@ def add_algebra(parser: ArgumentParser, first: bool = False) -> None:
         "--field", metavar="F", help="work in H(F), such as GF(9) or QQ(sqrt(2)) (default: QQ)"
     )
     group.add_argument(
-        "--algebra", metavar="A", help="another algebra, such as '(-1,-3|QQ)' or '[1,x|GF(4))'"
+        "--algebra",
+        metavar="A",
+        help="another algebra, such as '(-1,-3|QQ)' or '[1,x|GF(4))', or a discriminant such as 6",
     )
 
 
@@ -308,10 +310,10 @@ def algebra_of(args: Namespace) -> QuaternionAlgebra:
     from hfield.algebra import H, QuaternionAlgebra
 
     where = getattr(args, "where", None)
-    is_algebra = where is not None and (where == "H" or where.startswith(("(", "[", "H(", "ℍ")))
+    is_algebra = where is not None and (
+        where == "H" or where.startswith(("(", "[", "H(", "ℍ")) or where.isdecimal()
+    )
     algebra = where if is_algebra else args.algebra
-    if algebra is None and where is not None and where.isascii() and where.isdecimal():
-        return QuaternionAlgebra(int(where))  # of that discriminant
     if algebra is not None:
         return QuaternionAlgebra.from_text(algebra)
     return H(where or args.field or "QQ")

@@ -170,8 +170,6 @@ def algebra_named(by: QuaternionAlgebra | RingName) -> QuaternionAlgebra:
     if isinstance(by, QuaternionAlgebra):
         return by
     if isinstance(by, str):
-        if by.isascii() and by.isdecimal():
-            return QuaternionAlgebra(int(by))
         with suppress(RingError):
             return H(by)
         by = generic(by)

@@ -153,6 +153,28 @@ def test_messages_are_shortened():
     assert len(str(caught.value)) <= 1000
 
 
+@pytest.mark.parametrize(
+    "typed",
+    [
+        ("prove", "i*i == 2 and j*j == 6", "--algebra"),
+        ("eval", "i*j*k", "--algebra"),
+        ("roots", "x^2 - 2", "--algebra"),
+        ("solve", "i*x == j", "--algebra"),
+        ("matrix", "[[1, i], [j, k]]", "--algebra"),
+        ("table",),
+        ("info",),
+        ("order",),
+    ],
+    ids=lambda typed: typed[0],
+)
+def test_every_command_reads_a_discriminant_as_the_algebra(capsys, typed):
+    assert run(capsys, *typed, "6") == run(capsys, *typed, "(2,6|QQ)")
+    for no_discriminant in ("12", "0", "9" * 5_000):
+        status, out, error = run(capsys, *typed, no_discriminant)
+        assert (status, out) == (2, "")
+        assert "is not the discriminant of an algebra" in error or "digits" in error
+
+
 def test_names_of_other_systems_say_what_to_write():
     with pytest.raises(AttributeError, match=r"write O.class_set\(\)"):
         hfield.BrandtModule  # noqa: B018

@@ -8,7 +8,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from hfield.cli.output import open_output
-from hfield.cli.parser import add_format, add_output
+from hfield.cli.parser import add_format, add_output, algebra_of
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -40,13 +40,9 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compile the loops of each ring, and report the times."""
-    from hfield.algebra import H, QuaternionAlgebra
     from hfield.compiling.machine_code import available
 
-    named = [
-        QuaternionAlgebra.from_text(text) if text[:1] in ("(", "[", "H") else H(text)
-        for text in args.algebras
-    ]
+    named = [algebra_of(Namespace(where=text, algebra=None, field=None)) for text in args.algebras]
     algebras = named or [A for name in RINGS for A in _usual(name)]
     took: dict[str, float] = {}
     with open_output(args.output) as out:

@@ -43,7 +43,9 @@ def configure(parser: ArgumentParser) -> None:
     add_inputs(parser, "STATEMENT", "the statement, in quotes", "plain", "json", "latex")
     parser.add_argument("--field", metavar="F", help="the field, such as GF(9) or QQ(sqrt(2))")
     parser.add_argument(
-        "--algebra", metavar="A", help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)' (default: H)"
+        "--algebra",
+        metavar="A",
+        help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)', or a discriminant such as 6 (default: H)",
     )
     add_repeated(parser, "--given", "H", "assume H; may be repeated")
     add_repeated(
