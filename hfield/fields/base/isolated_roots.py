@@ -9,7 +9,7 @@ import flint
 
 from hfield.fields.base.balls import precision
 
-START = 64
+START = 128
 
 
 class IsolatedRoots:

@@ -104,11 +104,10 @@ def dedekind(whole: flint.fmpz_poly, p: int) -> bool:
     from hfield.fields.base.residue_polynomials import residues
 
     reduced = residues(p, whole.coeffs())
-    factors = reduced.factor()[1]
-    if all(e == 1 for _, e in factors):
+    if reduced.gcd(reduced.derivative()).degree() == 0:
         return True
     g = residues(p, [1])
-    for factor, _ in factors:
+    for factor, _ in reduced.factor()[1]:
         g = g * factor
     h = reduced // g
     lifted = [flint.fmpz_poly([int(c) for c in f.coeffs()]) for f in (g, h)]

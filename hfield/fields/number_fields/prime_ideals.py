@@ -46,7 +46,8 @@ class PrimeIdeal:
     (p, ``pi``) = P; ``beta`` is in pP⁻¹, not in pO; ``idempotent`` is 1 at P and 0 at the other primes above
     p. ``residue`` is an irreducible polynomial over GF(p): the residue field is GF(p)[x] modulo it, and
     ``residue_gen`` an integer of the field that goes to x. ``images``, where the order is not ℤ[s], is the
-    matrix that takes coordinates to residues.
+    matrix that takes coordinates to residues. Without ``epsilon`` the order is ℤ[s] at p, and the idempotent
+    is computed on first use.
 
     >>> from hfield import ring
     >>> K = ring("QQ[s]/(s^3-2)"); (P,) = K.primes_above(2)
@@ -63,13 +64,13 @@ class PrimeIdeal:
         f: int,
         pi: FieldElement,
         beta: FieldElement,
-        epsilon: FieldElement,
+        epsilon: FieldElement | None,
         residue: flint.nmod_poly,
         residue_gen: FieldElement,
         images: flint.nmod_mat = None,
     ) -> None:
         self.field, self.order, self.p, self.e, self.f = order.field, order, order.p, e, f
-        self.pi, self.beta, self.idempotent = pi, beta, epsilon
+        self.pi, self.beta, self._epsilon = pi, beta, epsilon
         self.residue, self.residue_gen, self._images = residue, residue_gen, images
 
     @property
@@ -146,6 +147,14 @@ class PrimeIdeal:
         """β/p, of valuation −1 here and integral at all other primes."""
         found: FieldElement = self.beta * flint.fmpq(1, self.p)
         return found
+
+    @cached_property
+    def idempotent(self) -> FieldElement:
+        """An integer that is 1 modulo the power of the ideal in p, and 0 modulo those of the others."""
+        if self._epsilon is not None:
+            return self._epsilon
+        part = self.residue**self.e
+        return self.order.element(coefficients(idempotent(_modulo_p(self.order), part)))
 
     @cached_property
     def uniformiser(self) -> FieldElement:
@@ -251,12 +260,16 @@ def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[dict[str, obj
             yield {"kind": "other generator", **data}
 
 
+def _modulo_p(order: LocalOrder) -> flint.nmod_poly:
+    """Return the polynomial of s modulo p."""
+    polynomial, p = order.field.polynomial, order.p
+    scale = pow(int(polynomial.denom()), -1, p)
+    return residues(p, [c * scale for c in polynomial.numer().coeffs()])
+
+
 def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
     """Read the primes off the polynomial of s modulo p."""
-    field, p = order.field, order.p
-    den = field.polynomial.denom()
-    scale = pow(int(den), -1, p)
-    f = residues(p, [c * scale for c in field.polynomial.numer().coeffs()])
+    field, p, f = order.field, order.p, _modulo_p(order)
     out = []
     for g, e in sorted_factors(f):
         pi = order.element(coefficients(g))
@@ -269,7 +282,7 @@ def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
                 int(g.degree()),
                 pi,
                 order.element(coefficients(f // g)),
-                order.element(coefficients(idempotent(f, g**e))),
+                None,
                 g,
                 field.gen,
             )

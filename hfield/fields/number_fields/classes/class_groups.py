@@ -112,7 +112,11 @@ class _Field:
         reduced = flint.fmpz_mat(whole).hnf().tolist() if whole else []
         self.rows = [list(map(int, row[:k])) for row in reduced[:k]]
         self._change = [list(map(int, row[k:])) for row in reduced]
-        self.classes = AbelianGroup(s.rows, k)
+
+    @cached_property
+    def classes(self) -> AbelianGroup:
+        """The exponents at the primes of S modulo those of S-units: the class group."""
+        return AbelianGroup(self.s.rows, len(self.s.primes))
 
     @cached_property
     def units(self) -> list[FieldElement]:
@@ -124,7 +128,7 @@ class _Field:
         if s.reduced_ideals is not None:
             return s.generators[-1:]
         bits = 256 + 2 * max(abs(c).bit_length() for row in vectors for c in row)
-        logs = [logarithms(s.frame, x, bits)[: s.rank] for x in s.generators]
+        logs = [logarithms(s.frame, x, bits, s.rank) for x in s.generators]
         whole = []
         with precision(bits):
             scale = flint.arb(2) ** 64
@@ -248,14 +252,7 @@ class ClassGroup(Certified):
 
     def __init__(self, ring: NumberField, signs: tuple[int, ...] = ()) -> None:
         self.ring, self.narrow, self._field, self._signs = ring, bool(signs), _field(ring), signs
-        s, places = self._field.s, len(signs)
-        k = len(s.primes)
-        rows = [*s.rows]
-        if signs:  # numbers are long, and their signs alone ask for them
-            rows = [[*row, *self._of_signs(x)] for row, x in zip(rows, s.generators, strict=True)]
-        rows += [[0] * k + self._of_signs(-s.field.one)]
-        rows += [[0] * k + [2 * int(i == j) for j in range(places)] for i in range(places)]
-        self.group = AbelianGroup(rows, k + places)
+        self.group = self._with_signs() if signs else self._field.classes
         self.order, self.invariants = self.group.order, self.group.invariants
 
     def __len__(self) -> int:
@@ -263,6 +260,14 @@ class ClassGroup(Certified):
 
     def __repr__(self) -> str:
         return " × ".join(f"ℤ/{d}" for d in self.invariants) or "the trivial group"
+
+    def _with_signs(self) -> AbelianGroup:
+        s, places = self._field.s, len(self._signs)
+        k = len(s.primes)
+        rows = [[*row, *self._of_signs(x)] for row, x in zip(s.rows, s.generators, strict=True)]
+        rows += [[0] * k + self._of_signs(-s.field.one)]
+        rows += [[0] * k + [2 * int(i == j) for j in range(places)] for i in range(places)]
+        return AbelianGroup(rows, k + places)
 
     def _of_signs(self, x: FieldElement) -> list[int]:
         return [int(self._field.s.field.sign_at(x, k) < 0) for k in self._signs]

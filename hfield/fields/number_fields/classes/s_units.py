@@ -154,10 +154,12 @@ class SUnits:
         out: dict[int, int] = {}
         for p, times in _factors(abs(above * below) // rest_below):
             is_integral = below % p != 0  # so that f times the exponents add up
-            for P, k in self._above(p):
+            ideals = self._above(p)
+            for number, (P, k) in enumerate(ideals, 1):
                 if is_integral and P.f > times:
                     continue
-                v = valuation(P)
+                is_last = is_integral and all(Q.f > times for Q, _ in ideals[number:])
+                v = times // P.f if is_last else valuation(P)
                 if v:
                     if k is None:
                         return None
@@ -412,7 +414,7 @@ class SUnits:
         if not units or not self.rank:
             return others if width else []
         logs = [
-            [_rounded(v, 60) for v in logarithms(self.frame, x, 128)[: self.rank]] for x in elements
+            [_rounded(v, 60) for v in logarithms(self.frame, x, 128, self.rank)] for x in elements
         ]
         sums = (flint.fmpz_mat(units) * flint.fmpz_mat(logs)).tolist()
         # so heavy that errors of logarithms are not worth reducing
@@ -427,7 +429,7 @@ class SUnits:
         """Return a ball around h·R times the index of the group that independent S-units span."""
         bits = 128
         while bits <= 1 << 16:
-            logs = [logarithms(self.frame, x, bits)[: self.rank] for x in elements]
+            logs = [logarithms(self.frame, x, bits, self.rank) for x in elements]
             with precision(bits):
                 whole = [[*map(flint.arb, row), *log] for row, log in zip(rows, logs, strict=True)]
                 size = abs(flint.arb_mat(whole).det()) if whole else flint.arb(1)
@@ -715,11 +717,16 @@ def _rounded(x: flint.arb, shift: int) -> int:
         return int((x.mid() * flint.arb(2) ** shift).floor().unique_fmpz())
 
 
-def logarithms(frame: MaximalOrder, x: FieldElement, bits: int = 128) -> list[flint.arb]:
-    """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
+def logarithms(
+    frame: MaximalOrder, x: FieldElement, bits: int = 128, count: int | None = None
+) -> list[flint.arb]:
+    """Return balls around the logarithms of absolute values at infinity, twice those at complex places.
+
+    With ``count`` only those at the first places.
+    """
     embeddings = frame.field.embeddings
     out = []
-    for index in range(embeddings.count):
+    for index in range(embeddings.count if count is None else count):
         work = bits
         while True:
             z = embeddings.value(x.poly, index, work)

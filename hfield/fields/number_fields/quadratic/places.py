@@ -75,7 +75,7 @@ class QuadraticPrime(PrimeIdeal):
         return self._general.beta
 
     @cached_property
-    def idempotent(self) -> FieldElement:  # type: ignore[override]
+    def idempotent(self) -> FieldElement:
         """A number that is 1 modulo the ideal and 0 at the other prime ideals above p."""
         return self._general.idempotent
 
