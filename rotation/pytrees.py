@@ -17,15 +17,15 @@ _Kind = tuple[type, tuple[str, ...]]
 _kinds: list[_Kind] = []
 _for_jax: list[_Kind] = []  # not yet registered with it
 _for_torch: list[_Kind] = []
-_number_of_modules = 0  # when the libraries were last looked for
+number_of_modules = 0  # when the libraries were last looked for
 
 
 def register_pytree(*names: str) -> Callable[[_Class], _Class]:
     """Register a class as a pytree of these attributes: arrays, containers of such, or None."""
 
     def register(kind: _Class) -> _Class:
-        global _number_of_modules
-        _number_of_modules = 0
+        global number_of_modules
+        number_of_modules = 0
         for kinds in (_kinds, _for_jax, _for_torch):
             kinds.append((kind, names))
         return kind
@@ -35,9 +35,9 @@ def register_pytree(*names: str) -> Callable[[_Class], _Class]:
 
 def known(value: _Value) -> _Value:
     """Register the classes as pytrees with the imported libraries; return the value."""
-    global _number_of_modules
-    if len(_modules) != _number_of_modules:
-        _number_of_modules = len(_modules)
+    global number_of_modules
+    if len(_modules) != number_of_modules:
+        number_of_modules = len(_modules)
         if "jax" in _modules:
             _announce(_for_jax, _jax)
         if "torch" in _modules:

@@ -5,13 +5,13 @@ fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion nev
 """
 
 import math
+from sys import modules
 
 from rotation import pytrees, quaternions, vectors
 from rotation.array_types import Array, ArrayLike
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
 from rotation.namespaces import certainly, copied, floats, is_numpy, namespace, number, quiet
-from rotation.pytrees import known
 from rotation.quaternions import SLERP
 from rotation.rotation import Rotation
 
@@ -38,7 +38,8 @@ def slerp(p: Rotation, q: Rotation, t: ArrayLike) -> Rotation:
     if type(p) is type(q) is Rotation:
         made: Rotation | None = SLERP.function(Rotation, p._q, q._q, t)
         if made is not None:
-            return known(made)
+            # a call of `known` would be a tenth of all the time
+            return made if len(modules) == pytrees.number_of_modules else pytrees.known(made)
     expect_rotations(p=p, q=q)
     return Rotation._of(quaternions.slerp(p._q, q._q, _parameter(t, p, q)))
 

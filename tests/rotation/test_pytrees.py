@@ -2,6 +2,8 @@
 
 import subprocess
 import sys
+from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -18,6 +20,7 @@ from rotation import (
     Uncertain,
     align,
     pytrees,
+    slerp,
 )
 
 R = Rotation.random(5, seed=1)
@@ -88,3 +91,21 @@ def test_torch_maps_over_them() -> None:
     assert Rotation(found).approx_equal(Rotation(q[0]), atol=1e-13).all()
     with pytest.raises(ForeignArrayError, match=r"Rotation\(torch.asarray\(r.as_quat"):
         R.apply(v)
+
+
+@pytest.mark.parametrize(
+    "operation",
+    [lambda p: slerp(p, p, 0.5), lambda p: p * p, lambda p: p**0.5, lambda p: p.inv()],
+    ids=["slerp", "product", "power", "inverse"],
+)
+def test_every_new_rotation_registers_the_classes_with_what_was_imported_since(
+    monkeypatch: pytest.MonkeyPatch, operation: Callable[[Rotation], Rotation]
+) -> None:
+    p = Rotation.identity()
+    operation(p)  # compiled
+    announced: list[object] = []
+    monkeypatch.setattr(pytrees, "number_of_modules", 0)
+    monkeypatch.setitem(sys.modules, "jax", ModuleType("jax"))
+    monkeypatch.setattr(pytrees, "_announce", lambda kinds, register: announced.append(register))
+    operation(p)
+    assert pytrees._jax in announced
