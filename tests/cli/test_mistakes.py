@@ -48,7 +48,7 @@ TYPED = [
     ("info QQ -f GF7", "this command has no --field"),
     ("eval i --field 'H(GF(7))'", "--algebra takes an algebra"),
     ("eval GF7", "GF7 is a ring: expected EXPR before it"),
-    ("eval (1+i)²⁻¹", "²⁻¹ is no integer"),
+    ("eval (1+i)²⁻¹", "²⁻¹ is not an integer"),
     ("prove p*q == q*p", "quote it, as in 'p*q == q*p'"),
     ("prove 'tr p == 2'", "write tr(p)"),
     ("prove 'i^2 = -1, j^2 = -1'", "join statements by and"),
