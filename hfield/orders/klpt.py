@@ -32,8 +32,9 @@ from hfield.orders.lattice_values import (
     product,
 )
 from hfield.orders.norm_search import SMALL_VOLUME, norm_dividing, of_norm
-from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, in_frame
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame
 from hfield.orders.related_orders import connecting
+from hfield.orders.represent_integer import in_frame
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.orders.standard_orders import extremal_order
 from hfield.orders.strong_approximation import (

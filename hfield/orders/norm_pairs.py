@@ -31,7 +31,8 @@ from hfield.orders import hermite
 from hfield.orders.klpt import by_norm, random_elements
 from hfield.orders.lattice_values import LatticeValue, contains, multiple, spanning_rows
 from hfield.orders.norm_search import PLANE_TRIALS, bounds, has_small_planes, on_planes
-from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame
+from hfield.orders.represent_integer import represent
 from hfield.orders.short_elements import least_norm
 from hfield.orders.strong_approximation import MAX_FRAME_DISCRIMINANT, close, expect_maximal
 

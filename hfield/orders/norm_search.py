@@ -26,7 +26,7 @@ from hfield.fields.rationals.whole_numbers import crt, fraction, sqrt_mod
 from hfield.orders import enumeration, hermite
 from hfield.orders.allowed_norms import Divisors
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.quadratic_frames import likely
+from hfield.orders.represent_integer import likely
 from hfield.orders.short_elements import first_of_norm, least_norm, up_to
 
 if TYPE_CHECKING:

@@ -26,7 +26,7 @@ from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import FractionalIdeal as NumberFieldIdeal
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.rationals.whole_numbers import fraction, square_root
-from hfield.orders import certificates, enumeration, hermite, quadratic_frames
+from hfield.orders import certificates, enumeration, hermite
 from hfield.orders.base_values import BaseNumber, Prime
 from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal, two_sided_prime
 from hfield.orders.invariants import is_eichler
@@ -34,6 +34,9 @@ from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
 from hfield.orders.lattice_values import product as product_of_lattices
 from hfield.orders.norm_search import SMALL_VOLUME, of_norm, volume
 from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.quadratic_frames import frame
+from hfield.orders.represent_integer import TRIALS as TRIALS_IN_FRAME
+from hfield.orders.represent_integer import element_of_large_norm
 from hfield.orders.short_elements import (
     expect_definite,
     form_of_norm,
@@ -332,7 +335,7 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
 
 def _represent_rational(order: LatticeValue, n: int, rng: Random) -> Quaternion | None:
     """Return the same for an order over ℤ; by all means where its discriminant is small."""
-    found = quadratic_frames.represent_integer(order, n, rng)
+    found = element_of_large_norm(order, n, rng)
     if found is not None:
         return found
     if volume(order) < SMALL_VOLUME:
@@ -350,9 +353,9 @@ def _represent_rational(order: LatticeValue, n: int, rng: Random) -> Quaternion 
         x, decided = of_norm(lattice, rest, rng)
         if decided:
             return None if x is None else factor * x
-    d = quadratic_frames.frame(order).discriminant
+    d = frame(order).discriminant
     raise UndecidedError(
-        f"no element of norm {shorten(n)} was found in {quadratic_frames.TRIALS} trials; the order contains "
+        f"no element of norm {shorten(n)} was found in {TRIALS_IN_FRAME} trials; the order contains "
         f"quadratic orders of discriminant {shorten(d)} and beyond only"
     )
 

@@ -35,7 +35,8 @@ from hfield.orders.lattice_values import (
 )
 from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.norm_search import norm_dividing
-from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame
+from hfield.orders.represent_integer import represent
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.validation import positive
 

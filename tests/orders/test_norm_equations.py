@@ -8,8 +8,9 @@ import pytest
 from hfield import H, QuaternionAlgebra
 from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
-from hfield.orders.quadratic_frames import frame, represent
+from hfield.orders.quadratic_frames import frame
 from hfield.orders.quadratic_orders import is_obstructed
+from hfield.orders.represent_integer import represent
 from hfield.orders.standard_orders import quadratic_part
 from tests.orders.random_lattices import algebra
 from tests.subcases import first_quick, subcases
