@@ -24,7 +24,7 @@ from anim.output.encoder import ffmpeg
 from anim.output.format import Film
 from anim.output.formats.mp4 import FORMAT
 from anim.physics import physical
-from anim.physics.simulate import STORY
+from anim.physics.films import STORY
 from anim.picture.settings import FILM_SETTINGS
 from anim.rendering import Scene, framed, frames
 

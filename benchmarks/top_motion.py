@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from anim.film import Clip
 from anim.model import Model
 from anim.physics import Body, HeavyTop, Launch, physical
-from anim.physics.integrator import run_compiled
+from anim.physics.heavy_top_equations import run_compiled
 from anim.pipelines import PIPELINES, kinematic
 
 STEPS = 100_000

@@ -251,7 +251,7 @@ def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Pat
 @pytest.mark.slow
 def test_kernels_are_compiled_once_and_run_without_numba(place: Path) -> None:
     from anim.compiling import kernel, written
-    from anim.physics.integrator import Rates, run
+    from anim.physics.heavy_top_equations import Rates, run
 
     states, start = np.empty((3, 7)), np.array([1.0, 0, 0, 0, 0.1, 0, 9])
     rates = Rates(0.7, 3.0, 0.1, 0.1, 0.5)

@@ -247,8 +247,8 @@ def _default_setup(
 ) -> tuple[Body, Launch, Contact | None]:
     """Return the body, and its default launch and ground."""
     from anim.physics import Body, Launch
+    from anim.physics.films import STORY, story_of
     from anim.physics.inertia import SCALE
-    from anim.physics.simulate import STORY, story_of
 
     sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
     if args.outline is None:

@@ -1,4 +1,4 @@
-// The top that is free on the ground: the forces and the steps of anim/physics/contact, in the same order.
+// The top that is free on the ground: the forces and the steps of anim/physics/free_top_equations, in the same order.
 // A state is { q, w, y }: y the fourteen numbers of Python's, q and w the first seven of them.
 const STANDARD = 9.80665, SINK = 1 / 400, CREEP = 0.025, FREE_STEP = 8e-4, TURN = 0.02, STIFF = 0.05, AROUND = 30, FINER = 32;
 

@@ -1,4 +1,4 @@
-// The heavy top on its tip: the equations, the splitting and the steps of anim/physics, in the same order.
+// The heavy top on its tip: the equations, the splitting and the steps of anim/physics/heavy_top_equations, in the same order.
 // A state is { q, w }: the attitude, scalar first, and the angular velocity in the body's axes, SI units.
 const OUTER = 1 / (2 - 2 ** (1 / 3)), INNER = 1 - 2 * OUTER, ACCURACY = 0.02, HALVINGS = 60;
 

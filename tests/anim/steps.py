@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from anim.physics.contact import SIZE, workspace
+from anim.physics.free_top_equations import SIZE, workspace
 
 
 def kept(run, start, h, steps, every, *rest):

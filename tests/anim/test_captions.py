@@ -8,7 +8,7 @@ from anim.film import clip
 from anim.model import Model
 from anim.motion import Motion
 from anim.physics import physical
-from anim.physics.simulate import STORY
+from anim.physics.films import STORY
 from anim.picture.captions import FORMULAS, WORDS, caption, strip
 from anim.picture.settings import FILM_SETTINGS, RenderSettings
 from anim.pipelines import PIPELINES, kinematic

@@ -9,7 +9,7 @@ from anim.errors import AnimationError
 from anim.model import Model
 from anim.outline import simplified
 from anim.physics import Body, physical
-from anim.physics.simulate import STORY, story_of
+from anim.physics.films import STORY, story_of
 from hfield.cli import main
 from hfield.errors import TableError
 

@@ -9,7 +9,7 @@ import pytest
 
 from anim.model import Model
 from anim.physics import Body, FreeTop
-from anim.physics.simulate import STORY
+from anim.physics.films import STORY
 from anim.viewer import Curve, Show, page, seeing
 from tests.anim.chromium import Browser, axe_core
 from tests.anim.test_viewer import SPIN, needs_chromium, settle

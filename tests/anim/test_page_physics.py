@@ -12,8 +12,8 @@ import pytest
 import anim.viewer
 from anim.model import Model
 from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
-from anim.physics.contact import follow_compiled
-from anim.physics.integrator import run_compiled
+from anim.physics.free_top_equations import follow_compiled
+from anim.physics.heavy_top_equations import run_compiled
 from tests.anim.steps import kept
 from tests.anim.test_physics_motion import LAUNCHES
 from tests.patience import PATIENCE

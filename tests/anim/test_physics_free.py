@@ -10,7 +10,7 @@ from anim.errors import AnimationError
 from anim.film import Clip
 from anim.model import Model
 from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch, physical
-from anim.physics.contact import follow, follow_compiled, meet, meet_compiled
+from anim.physics.free_top_equations import follow, follow_compiled, meet, meet_compiled
 from rotation.matrices import to_matrix
 from tests.anim.steps import kept, visited
 

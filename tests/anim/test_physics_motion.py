@@ -9,7 +9,7 @@ from anim.errors import AnimationError
 from anim.film import Clip
 from anim.model import Model
 from anim.physics import Body, HeavyTop, Launch, physical
-from anim.physics.integrator import run, run_compiled, visit, visit_compiled
+from anim.physics.heavy_top_equations import run, run_compiled, visit, visit_compiled
 from anim.physics.launch import EVERY
 from rotation.matrices import R_y, R_z, to_matrix
 from tests.anim.steps import kept, visited

@@ -15,7 +15,7 @@ from anim.physics.launch import EVERY, MAX_STEPS, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
-    from anim.physics.contact import Ground
+    from anim.physics.free_top_equations import Ground
 
 Floats = NDArray[np.float64]
 
@@ -71,7 +71,7 @@ class FreeTop(Stepped):
     contact: Contact = Contact()
 
     def __post_init__(self) -> None:
-        from anim.physics.contact import STIFF
+        from anim.physics.free_top_equations import STIFF
 
         if not self.body.outline:
             raise AnimationError(
@@ -168,8 +168,8 @@ class FreeTop(Stepped):
 
     @property
     def ground(self) -> "Ground":
-        """The constants of the ground for the integrator."""
-        from anim.physics.contact import Ground
+        """The constants in the equations of motion."""
+        from anim.physics.free_top_equations import Ground
 
         body, launch, contact = self.body, self.launch, self.contact
         pace, sink = sqrt(self.pull * body.height), SINK * body.height
@@ -190,7 +190,7 @@ class FreeTop(Stepped):
 
     @property
     def start(self) -> Floats:
-        """The state at the start, (14,), as :mod:`anim.physics.contact` has them."""
+        """The state at the start, (14,), as :mod:`anim.physics.free_top_equations` has them."""
         tilt, rate = self.launch.tilt, self.launch.precession
         attitude = attitude_of(self.launch)
         velocity = np.array([-rate * sin(tilt), 0.0, self.spin])
@@ -210,7 +210,7 @@ class FreeTop(Stepped):
 
     def states(self, times: Floats) -> Floats:
         """Return the states (n, 14) at instants (n,)."""
-        from anim.physics.contact import SIZE, meet_compiled, workspace
+        from anim.physics.free_top_equations import SIZE, meet_compiled, workspace
 
         instants = np.ascontiguousarray(times, dtype=np.float64)
         kept, spacing, found = self._followed[0], EVERY * self.step, np.empty((len(times), SIZE))
@@ -258,7 +258,7 @@ class FreeTop(Stepped):
 
     @cached_property
     def _followed(self) -> tuple[Floats, float]:
-        from anim.physics.contact import SIZE, follow_compiled, workspace
+        from anim.physics.free_top_equations import SIZE, follow_compiled, workspace
 
         kept, edges, ground = np.empty((self.steps // EVERY + 1, SIZE)), self.edges, self.ground
         landed = follow_compiled(

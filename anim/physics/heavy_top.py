@@ -1,24 +1,20 @@
-"""A film of the heavy top: launched, and followed to the film's end or until its rim touches the ground."""
+"""The heavy top on its tip: launched, and followed to the film's end or until its rim touches the ground."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from math import cos, degrees, hypot, inf, sin, sqrt
+from math import cos, degrees, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.errors import AnimationError
-from anim.film import Clip
-from anim.model import Model
-from anim.motion import Motion, Record
-from anim.physics.free import Contact, FreeTop
 from anim.physics.inertia import Body
 from anim.physics.launch import EVERY, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
-    from anim.physics.integrator import Rates
+    from anim.physics.heavy_top_equations import Rates
 
 Floats = NDArray[np.float64]
 
@@ -88,7 +84,7 @@ class HeavyTop(Stepped):
 
     def states(self, times: Floats) -> Floats:
         """Return the states (n, 7) at instants (n,): attitudes and angular velocities in the body's axes."""
-        from anim.physics.integrator import visit_compiled
+        from anim.physics.heavy_top_equations import visit_compiled
 
         kept, landed = self._followed
         instants = np.ascontiguousarray(times, dtype=np.float64)
@@ -116,8 +112,8 @@ class HeavyTop(Stepped):
 
     @property
     def rates(self) -> "Rates":
-        """The constants of this top for the integrator: torque, losses, contact."""
-        from anim.physics.integrator import Rates
+        """The constants in the equations of motion: torque, losses, and where the rim touches."""
+        from anim.physics.heavy_top_equations import Rates
 
         body, launch = self.body, self.launch
         return Rates(
@@ -131,7 +127,7 @@ class HeavyTop(Stepped):
     @cached_property
     def _followed(self) -> tuple[Floats, float]:
         """The states after every EVERY steps, and when the rim touched, or −1."""
-        from anim.physics.integrator import run_compiled
+        from anim.physics.heavy_top_equations import run_compiled
 
         kept = np.empty((self.steps // EVERY + 1, 7))
         return kept, run_compiled(kept, self.start, self.step, self.steps, EVERY, self.rates)
@@ -139,62 +135,3 @@ class HeavyTop(Stepped):
     @staticmethod
     def _vertical(states: Floats) -> Floats:
         return np.asarray(to_matrix(states[:, :4]))[:, 2, :]
-
-
-STORY = (
-    Launch(spin=30.5, tilt=0.35, spin_decay=30.0),
-    Contact(radius=0.06, friction=0.5, rolling=0.01),
-)
-"""A launch of the thesis's top, and a ground, that show in ten seconds all that a top does."""
-
-
-def story_of(body: Body, free: bool) -> tuple[Launch, Contact | None]:
-    """Return the launch and the ground of :data:`STORY` in proportion for another body.
-
-    Without ``free`` there is no ground. Two ratios are those of the thesis's top: of the spin to the spin at
-    which the body sleeps upright, and of the tip's radius to the size of the body. The tilt is at most half
-    the tilt at which the rim touches the ground.
-    """
-    usual = Body.turned(Model().profile)
-    launch, contact = STORY if free else (Launch(), None)
-    lean = min(launch.tilt, body.reach / 2)
-    if contact is None:
-        return replace(launch, tilt=lean), None
-    pace = sqrt(body.mass * body.height * body.transverse) / body.axial
-    usual_pace = sqrt(usual.mass * usual.height * usual.transverse) / usual.axial
-    size, usual_size = (max(hypot(*corner) for corner in b.outline) for b in (body, usual))
-    spin = (launch.spin or 0.0) * pace / usual_pace
-    larger = {name: getattr(contact, name) * size / usual_size for name in ("radius", "rolling")}
-    return replace(launch, tilt=lean, spin=spin), replace(contact, **larger)
-
-
-def physical(
-    clip: Clip | None = None,
-    body: Body | None = None,
-    launch: Launch | None = None,
-    contact: Contact | None = None,
-) -> Motion:
-    """Return the film of a heavy symmetric top; by default the thesis's model in metres.
-
-    Its tip stays where it is, unless ``contact`` says how a free top meets the ground. Raises
-    :class:`~anim.errors.AnimationError` where :class:`HeavyTop` and :class:`~anim.physics.FreeTop` do.
-
-    >>> from anim import clip
-    >>> physical(clip(frames=50)).frames
-    50
-    """
-    film, chosen = clip or Clip(), body or Body.turned(Model().profile)
-    start = launch or Launch()
-    if contact is not None:
-        free = FreeTop(chosen, start, film.seconds, contact)
-        states = free.states(film.times)
-        record = Record(
-            free.energies(states), free.momenta(states)[:, 2], states[:, 6].copy(), free.landed
-        )
-        return Motion.sample("free", film, free, record, free.places)
-    top = HeavyTop(chosen, start, film.seconds)
-    states = top.states(film.times)
-    record = Record(
-        top.energies(states), top.vertical_momenta(states), states[:, 6].copy(), top.landed
-    )
-    return Motion.sample("physics", film, top, record)
