@@ -23,15 +23,15 @@ from hfield.checker.glossary import (
 )
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.matrices import Row, inverse, times
-from hfield.checker.orders.answers import (
-    Given,
-    Parts,
-    with_rational_trace_and_norm,
-)
 from hfield.checker.orders.elements import trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import symbols
+from hfield.checker.orders.statements import (
+    Given,
+    Parts,
+    with_rational_trace_and_norm,
+)
 from hfield.checker.orders.texts import a_whole_number
 from hfield.checker.rejection import a_list, an_integer, reject
 

@@ -26,7 +26,7 @@ from typing import Any
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
-from hfield.checker.orders import answers, embeddings, newforms
+from hfield.checker.orders import embeddings, newforms, statements
 from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
@@ -46,35 +46,35 @@ Evidence = dict[tuple[str, str], tuple[Check, str, str]]
 
 NEWFORMS = "above neighbours operator modulus orbits"
 OVER_Q: Evidence = {
-    ("order", "proved"): (answers.is_order, "", ""),
-    ("ideal", "proved"): (answers.is_ideal, "", ""),
-    ("equivalent", "proved"): (answers.are_equivalent, "element", ""),
-    ("equivalent", "refuted"): (answers.are_not_equivalent, "", "between"),
-    ("isomorphic-orders", "proved"): (answers.are_isomorphic, "element", ""),
-    ("isomorphic-orders", "refuted"): (answers.have_other_numbers, "", "trace norm bases"),
+    ("order", "proved"): (statements.is_order, "", ""),
+    ("ideal", "proved"): (statements.is_ideal, "", ""),
+    ("equivalent", "proved"): (statements.are_equivalent, "element", ""),
+    ("equivalent", "refuted"): (statements.are_not_equivalent, "", "between"),
+    ("isomorphic-orders", "proved"): (statements.are_isomorphic, "element", ""),
+    ("isomorphic-orders", "refuted"): (statements.have_other_numbers, "", "trace norm bases"),
     ("embedding", "proved"): (embeddings.is_embedded, "element", ""),
     ("embedding", "refuted"): (embeddings.is_not_embedded, "", "basis prime"),
     ("embedding-orbits", "proved"): (embeddings.has_orbits, "center units elements", ""),
-    ("class-set", "proved"): (answers.is_class_set, "classes", ""),
-    ("dirichlet-domain", "proved"): (answers.is_domain, "", ""),
-    ("norm-one-group", "proved"): (answers.is_group, "center units", ""),
+    ("class-set", "proved"): (statements.is_class_set, "classes", ""),
+    ("dirichlet-domain", "proved"): (statements.is_domain, "", ""),
+    ("norm-one-group", "proved"): (statements.is_group, "center units", ""),
     ("newforms", "proved"): (newforms.are_newforms, f"classes {NEWFORMS}", ""),
 }
 UNITS = "units fundamental"
 OVER_FIELDS: Evidence = {
-    ("order-over-integers", "proved"): (answers.is_order, "basis", ""),
-    ("ideal-over-integers", "proved"): (answers.is_ideal, "basis", ""),
-    ("equivalent-over-integers", "proved"): (answers.are_equivalent, "basis element", ""),
+    ("order-over-integers", "proved"): (statements.is_order, "basis", ""),
+    ("ideal-over-integers", "proved"): (statements.is_ideal, "basis", ""),
+    ("equivalent-over-integers", "proved"): (statements.are_equivalent, "basis element", ""),
     ("equivalent-over-integers", "refuted"): (
-        answers.are_not_equivalent, UNITS, "quotient norm between"
+        statements.are_not_equivalent, UNITS, "quotient norm between"
     ),
-    ("isomorphic-over-integers", "proved"): (answers.are_isomorphic, "basis element", ""),
-    ("isomorphic-over-integers", "refuted"): (answers.have_no_images, "basis", "pair order"),
-    ("unit-index", "proved"): (answers.has_units, f"{UNITS} order", ""),
-    ("ideal-classes", "proved"): (answers.is_class_set, f"{UNITS} primes classes", "narrow"),
-    ("dirichlet-domain-over-integers", "proved"): (answers.is_domain, "basis primes", ""),
+    ("isomorphic-over-integers", "proved"): (statements.are_isomorphic, "basis element", ""),
+    ("isomorphic-over-integers", "refuted"): (statements.have_no_images, "basis", "pair order"),
+    ("unit-index", "proved"): (statements.has_units, f"{UNITS} order", ""),
+    ("ideal-classes", "proved"): (statements.is_class_set, f"{UNITS} primes classes", "narrow"),
+    ("dirichlet-domain-over-integers", "proved"): (statements.is_domain, "basis primes", ""),
     ("norm-one-group-over-integers", "proved"): (
-        answers.is_group, "basis primes center units", ""
+        statements.is_group, "basis primes center units", ""
     ),
     ("newforms-over-integers", "proved"): (
         newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow"
@@ -82,16 +82,16 @@ OVER_FIELDS: Evidence = {
 }  # fmt: skip
 
 OVER_POLYNOMIALS: Evidence = {
-    ("order-over-polynomials", "proved"): (answers.is_order, "", ""),
-    ("ideal-over-polynomials", "proved"): (answers.is_ideal, "", ""),
-    ("equivalent-over-polynomials", "proved"): (answers.are_equivalent, "element", ""),
+    ("order-over-polynomials", "proved"): (statements.is_order, "", ""),
+    ("ideal-over-polynomials", "proved"): (statements.is_ideal, "", ""),
+    ("equivalent-over-polynomials", "proved"): (statements.are_equivalent, "element", ""),
     ("equivalent-over-polynomials", "refuted"): (
-        answers.none_of_least_degree_carries, "between", ""
+        statements.none_of_least_degree_carries, "between", ""
     ),
-    ("isomorphic-over-polynomials", "proved"): (answers.are_isomorphic, "element", ""),
-    ("isomorphic-over-polynomials", "refuted"): (answers.have_no_images, "", "pair order"),
-    ("unit-index-over-polynomials", "proved"): (answers.has_unit_index, "order", ""),
-    ("class-set-over-polynomials", "proved"): (answers.is_class_set, "primes classes", ""),
+    ("isomorphic-over-polynomials", "proved"): (statements.are_isomorphic, "element", ""),
+    ("isomorphic-over-polynomials", "refuted"): (statements.have_no_images, "", "pair order"),
+    ("unit-index-over-polynomials", "proved"): (statements.has_unit_index, "order", ""),
+    ("class-set-over-polynomials", "proved"): (statements.is_class_set, "primes classes", ""),
 }  # fmt: skip
 
 
