@@ -47,7 +47,7 @@ def trace_of(paper: RGB) -> RGB:
 
 def ground(view: View, settings: RenderSettings, paper: RGB) -> Light:
     """Return the empty ground and what is behind it, float32 (height, width, 3), from 0 to 255."""
-    from anim.picture.ground import lit_ground
+    from anim.picture.ground_kernels import lit_ground
 
     width, height = settings.size
     picture = np.empty((height, width, 3), np.float32)

@@ -15,7 +15,7 @@ class LitSurface(Surface):
     """A picture over the ground; :attr:`floor` is the ground in floats (height, width, 3), 0 to 255."""
 
     def __init__(self, view: View, settings: RenderSettings, paper: RGB) -> None:
-        from anim.picture.ground import grained
+        from anim.picture.ground_kernels import grained
 
         self.floor: Light = ground(view, settings, paper)
         background = np.empty(self.floor.shape, np.uint8)
@@ -26,7 +26,7 @@ class LitSurface(Surface):
 
     def move(self, centre: Floats) -> None:
         """Show the ground as seen by a camera moved to ``centre`` (2,)."""
-        from anim.picture.ground import moved_ground, seen_ground
+        from anim.picture.ground_kernels import moved_ground, seen_ground
 
         if self._view.eye[2] <= 0:
             return

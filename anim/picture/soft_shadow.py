@@ -34,7 +34,7 @@ class SoftShadow:
 
     def draw(self, canvas: LitSurface, rotation: Floats, tip: Floats) -> None:
         """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
-        from anim.picture.ground import lay, shade
+        from anim.picture.ground_kernels import lay, shade
 
         if self._view.eye[2] <= 0:
             return

@@ -61,9 +61,9 @@ const FLAT_VERTEX = `
 attribute vec3 position; uniform mat4 matrix; uniform vec2 shift; varying vec3 at;
 void main() { at = position + vec3(shift, 0.); gl_Position = matrix * vec4(at, 1.); }`;
 // The top as the cones of its outline: how much of each a ray to the light meets, softer the farther away it is; and
-// darker near the top, as anim/picture/ground has it. A cone is discs across its axis or, where it is thin, balls. How
-// far the ray passes outside the one it comes nearest to is the least of |a + t·b| − r(t), t from 0 to 1. Dark paper is
-// lit by a pool of light.
+// darker near the top, as anim/picture/ground_kernels has it. A cone is discs across its axis or, where it is thin,
+// balls. How far the ray passes outside the one it comes nearest to is the least of |a + t·b| − r(t), t from 0 to 1.
+// Dark paper is lit by a pool of light.
 const groundFragment = (cones) => `${DITHER}
 varying vec3 at; uniform vec3 light, axis, place; uniform vec4 cones[${cones}]; uniform vec2 focus, reach; uniform float above;
 float nearestOf(vec3 a, vec3 b, float grows) {

@@ -1,8 +1,10 @@
-"""The ground in the light, compiled: the empty ground, and the soft shadow that the top throws on it.
+"""Compiled loops that draw the ground in the light: empty, and with the soft shadow that the top throws.
 
 A ray from the ground to the light meets one of the top's cones or passes it; where it comes deepest or
 nearest is known in closed form. The edge is the softer the farther that is, as under a light of some
 width. What is near the top is darker besides: less of the sky is seen there.
+
+``environment``, ``lit_surface`` and ``soft_shadow`` decide what is drawn and call these loops.
 """
 
 import math
