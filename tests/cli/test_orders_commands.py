@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from hfield import QuaternionAlgebra, surveys
-from hfield.cli import main, orders
+from hfield.cli import main, order_arguments
 from hfield.cli.commands.brandt import polynomial
 from hfield.cli.commands.survey import numbers
 from hfield.orders.class_file import ClassFile
@@ -228,7 +228,7 @@ def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_p
     ],
 )
 def test_long_enumerations_are_announced(capsys, monkeypatch, words, seconds, said):
-    monkeypatch.setattr(orders, "PATIENCE", seconds)
+    monkeypatch.setattr(order_arguments, "PATIENCE", seconds)
     status, _, err = run(capsys, *words)
     assert status == 0
     assert (said in " ".join(err.split())) if said else err == ""
@@ -241,7 +241,7 @@ def test_how_long_enumerations_are_said_to_take(capsys):
         (1e4, "3 hours"),
         (1e7, "116 days"),
     ):
-        orders.announce(83334, seconds, "--formula enumerates none")
+        order_arguments.announce(83334, seconds, "--formula enumerates none")
         assert f"takes about {said}; --formula" in " ".join(capsys.readouterr().err.split())
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.cli.orders import algebra_of
+from hfield.cli.order_arguments import algebra_of
 from hfield.fuchsian.group import Domain
 from hfield.fuchsian.picture import drawing_of, sides_of, svg
 from hfield.fuchsian.search import Sight

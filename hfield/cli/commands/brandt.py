@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.answer_formats import OutputDocument, answer_one
-from hfield.cli.orders import (
+from hfield.cli.order_arguments import (
     SECONDS_A_CLASS,
     add_class_search,
     algebra_of,

@@ -9,7 +9,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
-from hfield.cli.orders import (
+from hfield.cli.order_arguments import (
     SECONDS_A_CLASS,
     add_answers,
     add_class_search,

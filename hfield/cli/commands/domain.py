@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import of_parts
-from hfield.cli.orders import add_algebra, algebra_of, answer_certified, level_of
+from hfield.cli.order_arguments import add_algebra, algebra_of, answer_certified, level_of
 from hfield.cli.output import try_picture
 from hfield.cli.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten

@@ -7,7 +7,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
-from hfield.cli.orders import add_answers, add_where, algebra_of, answer_certified, level_of
+from hfield.cli.order_arguments import (
+    add_answers,
+    add_where,
+    algebra_of,
+    answer_certified,
+    level_of,
+)
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion

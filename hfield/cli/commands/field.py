@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
-from hfield.cli.orders import add_answers, answer_certified, ideal_json
+from hfield.cli.order_arguments import add_answers, answer_certified, ideal_json
 from hfield.cli.parser import UsageError
 from hfield.errors import shorten
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
-from hfield.cli.orders import (
+from hfield.cli.order_arguments import (
     SECONDS_A_CLASS,
     add_answers,
     add_where,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, TypeVar
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
-from hfield.cli.orders import (
+from hfield.cli.order_arguments import (
     add_algebra,
     add_answers,
     algebra_of,
