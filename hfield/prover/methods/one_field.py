@@ -11,7 +11,7 @@ from hfield.errors import HFieldError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.base.ring import Ring
 from hfield.prover.attempts import Attempts, Method
-from hfield.prover.counterexamples.refuting import (
+from hfield.prover.counterexamples.search import (
     FIRST_ATTEMPT_SECONDS,
     PLACES_AFTER,
     PLACES_BETWEEN,

@@ -17,7 +17,7 @@ from hfield.evidence import Evidence, Kind
 from hfield.fields import ZZ
 from hfield.fields.base.ring import Ring
 from hfield.prover.attempts import Attempts
-from hfield.prover.counterexamples.refuting import PLACES_BETWEEN, search_counterexample
+from hfield.prover.counterexamples.search import PLACES_BETWEEN, search_counterexample
 from hfield.prover.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.prover.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.prover.evaluation.evaluator import Evaluator

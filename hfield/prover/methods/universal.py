@@ -5,7 +5,7 @@ from collections import Counter
 from hfield.checker.glossary import FLOATS, IDENTITY
 from hfield.evidence import Evidence, Kind
 from hfield.prover.counterexamples.candidates import prime_search
-from hfield.prover.counterexamples.refuting import PLACES_BETWEEN
+from hfield.prover.counterexamples.search import PLACES_BETWEEN
 from hfield.prover.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision, undecided
 from hfield.prover.evaluation.searcher import lifted
 from hfield.prover.methods import all_fields, one_field, over_rings
