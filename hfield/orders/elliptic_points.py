@@ -23,7 +23,8 @@ import flint
 from hfield.core.properties import cached_property
 from hfield.errors import TooLargeError
 from hfield.fields.names import ring
-from hfield.fields.number_fields.classes.class_groups import class_group, unit_group
+from hfield.fields.number_fields.classes.class_groups import class_group
+from hfield.fields.number_fields.classes.unit_groups import unit_group
 from hfield.fields.number_fields.ideals import integers
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.sums import roots_in, sums_of_roots

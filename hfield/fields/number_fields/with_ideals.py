@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, cast
 from hfield.hints import FIELD, Hinted
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.classes.class_groups import ClassGroup, UnitGroup
+    from hfield.fields.number_fields.classes.class_groups import ClassGroup
+    from hfield.fields.number_fields.classes.unit_groups import UnitGroup
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.ring import NumberField
@@ -85,7 +86,7 @@ class WithIdeals(Hinted):
         >>> U, U.torsion_order, U.regulator > 0
         (ℤ/2 × ℤ^2, 2, True)
         """
-        from hfield.fields.number_fields.classes.class_groups import unit_group
+        from hfield.fields.number_fields.classes.unit_groups import unit_group
 
         return unit_group(self._field)
 
@@ -96,6 +97,6 @@ class WithIdeals(Hinted):
         >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]
         [1, 1]
         """
-        from hfield.fields.number_fields.classes.class_groups import unit_group
+        from hfield.fields.number_fields.classes.unit_groups import unit_group
 
         return unit_group(self._field).totally_positive
