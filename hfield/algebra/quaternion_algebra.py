@@ -11,6 +11,7 @@ from hfield import notation, syntax
 from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion, check_axis, from_stored, is_many
+from hfield.algebra.structure.counting.counted_kinds import counted_kind
 from hfield.algebra.structure.elements import analysis
 from hfield.core.factorisation import Factors, known_primes
 from hfield.core.product import Constants, Scalar
@@ -71,10 +72,6 @@ if TYPE_CHECKING:
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
-
-# What may be counted, in singular and plural.
-_KINDS = {word: kind for kind in ("elements", "units") for word in (kind, kind[:-1])}
-_KINDS |= {kind + end: kind for kind in ("nilpotent", "idempotent") for end in ("", "s")}
 
 
 class Opposite(NamedTuple):
@@ -817,8 +814,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
         """Return the number of elements, over a finite ring.
 
-        ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
-        of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
+        ``kind`` is ``elements``, ``units``, ``nilpotent`` or ``idempotent``; ``norm=n`` asks for those of
+        norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
         (:func:`hfield.algebra.structure.confirm` confirms them), exhaustion over other finite rings.
         Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
         :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
@@ -835,17 +832,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         value = square if norm is None else norm
         if value is not None:
             kind = "norm" if square is None else "square roots"
-        elif kind in ("norm", "square roots"):
-            raise CoercionError(f"say which {kind}: A.count(norm=0), or A.count(square=-1)")
-        kind = _KINDS.get(kind, kind)
+        chosen = counted_kind(kind)
+        if chosen.needs and value is None:
+            raise CoercionError(f"say which {kind}: A.count({chosen.needs})")
         if ring.order is not None and not structure.has_formulas(ring):
-            found = structure.tally(ring, c)
-            tables = {"norm": found.norms, "square roots": found.roots}
-            if kind in tables:
-                return tables[kind][ring.text(ring(value))]
-            if kind in _KINDS.values():
-                return int(getattr(found, kind))
-        return structure.count(ring, c, kind, value).value
+            text = ring.text(ring(value)) if chosen.needs else ""
+            return structure.tally(ring, c).number(chosen.name, text)
+        return structure.count(ring, c, chosen.name, value).value
 
     # --- exploring: its elements, groups, ideals: the package is imported on use ----------------
 

@@ -86,7 +86,7 @@ class Elements:
             )
             total, formula = every.value - found.value, f"{every.formula}-({found.formula})"
         else:
-            total, formula = structure.count(ring, constants, _COUNTED[name], value)
+            total, formula = structure.count(ring, constants, name, value)
         return total, expanded(formula) if ring.is_field else None
 
     def cardinality(self) -> int:
@@ -329,14 +329,6 @@ class Elements:
         shown = ": " + ", ".join(map(repr, islice(self, SHOWN))) if self else ""
         more = ", …" if self.cardinality() > SHOWN else ""
         return f"<{shorten(self.cardinality())} {self.title} of {self.algebra}{shown}{more}>"
-
-
-_COUNTED = {
-    "units": "units",
-    "idempotents": "idempotent",
-    "nilpotents": "nilpotent",
-    "norm": "norm",
-}
 
 
 def _select(labels: LabelledAlgebra, condition: Condition) -> _Selection:

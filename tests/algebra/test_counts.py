@@ -4,8 +4,11 @@ import random
 
 import pytest
 
+from hfield import H
+from hfield.algebra.structure.counting.counted_kinds import KINDS
 from hfield.algebra.structure.counting.formulas_finite import count
 from hfield.algebra.structure.counting.tally import confirm, tally
+from hfield.cli.commands.count import counts
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
 from hfield.fields.names import ring
 from tests.fields.algebra_cases import cases, constants
@@ -138,12 +141,33 @@ def test_what_cannot_be_counted():
 
 @pytest.mark.parametrize("name", first_quick(["GF(4)", "ZZ/6", "GF(5)", "GF(9)", "ZZ/8"], 2))
 def test_loops_and_tables_count_the_same(name, monkeypatch):
-    from hfield.algebra.structure.counting import tally
-
     R = ring(name)
     for c in (constants(name, -1, 0, -1), constants(name, 2, 1, 3)):
         found = []
         for many in (0, 10**9):
-            monkeypatch.setattr(tally, "MIN_COMPILED", many)
-            found.append(tally.tally(R, c))
+            monkeypatch.setattr(f"{tally.__module__}.MIN_COMPILED", many)
+            found.append(tally(R, c))
         assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("name", ["GF(5)", "ZZ/4"])
+def test_every_kind_is_counted_without_formulas_too(name, monkeypatch):
+    """Over a finite ring without formulas methods and tables have the same kinds with the same numbers."""
+    A = H(name)
+    asked = {"norm": {"norm": 0}, "square roots": {"square": -1}}
+
+    def numbers():
+        return [
+            A.count(**(asked[kind.name] if kind.needs else {"kind": word}))
+            for kind in KINDS.values()
+            for word in (kind.name, *kind.words)
+        ]
+
+    by_formulas, table = numbers(), counts(A)
+    monkeypatch.setattr("hfield.algebra.structure.has_formulas", lambda ring: False)
+    assert numbers() == by_formulas
+    assert [line[:2] for line in counts(A).lines] == [line[:2] for line in table.lines]
+    assert all(formula is None for _, _, formula in counts(A).lines)
+    for kind in KINDS.values():
+        if not kind.needs:
+            assert (kind.name, A.count(kind.name)) in [line[:2] for line in table.lines]

@@ -11,8 +11,16 @@ from hfield.cli.answer_formats import OutputDocument, answer_one, of_parts
 from hfield.cli.parser import add_algebra, add_format, add_output, add_standalone, algebra_of
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
     from hfield.algebra import QuaternionAlgebra
+    from hfield.algebra.structure.counting.counted_kinds import CountedKind
+    from hfield.core.product import Scalar
+    from hfield.fields.base.ring import Ring
     from hfield.presenting import AnswerSection
+
+    Number = tuple[int, str | None]  # how many, and the formula
+    Line = tuple[str, int, str | None]
 
 HELP = (
     "Count the elements of an algebra over a finite ring by norm and by kind. Closed "
@@ -41,7 +49,7 @@ class CountTable:
     """The counts, one a line: kind, number, formula or None; and the number of elements enumerated."""
 
     algebra: QuaternionAlgebra
-    lines: list[tuple[str, int, str | None]]
+    lines: list[Line]
     exhausted: int | None = None
 
     def to_json(self) -> dict[str, object]:
@@ -78,48 +86,59 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
 
     F, c = A.ring, A.constants
     if F.order is not None and not structure.has_formulas(F):
-        return _exhausted(A)
-    lines: list[tuple[str, int, str | None]] = []
+        found = structure.tally(F, c)
+        lines = _lines(A, lambda kind, x: (found.number(kind, F.text(x)), None))
+        return CountTable(A, lines, found.elements)
 
-    def add(label: str, kind: str, value: object = None) -> None:
-        n, formula = structure.count(F, c, kind, value)
-        lines.append((label, n, formula if F.is_field or formula != str(n) else None))
+    def by_formula(kind: str, x: Scalar) -> Number:
+        n, formula = structure.count(F, c, kind, x)
+        return n, formula if F.is_field or formula != str(n) else None
 
-    add("elements", "elements")
-    add("units", "units")
-    if F.is_field:
-        add("norm 0", "norm", 0)
-        lines += _norms(A)
-    else:
-        for x in islice(F.elements(), NORMS):
-            add(f"norm {F.text(x)}", "norm", x)
-    add("nilpotent", "nilpotent")
-    add("idempotent", "idempotent")
-    add("square roots of 1", "square roots", 1)
-    if F.characteristic != 2:
-        add("square roots of −1", "square roots", -1)
-    result = CountTable(A, lines)
+    result = CountTable(A, _lines(A, by_formula))
     assert F.order is not None
     if not formulas and F.order**4 <= (MAX_PAGE_ELEMENTS if quick else LIMIT):
         result.exhausted = structure.confirm(F, c).elements
     return result
 
 
-def _norms(A: QuaternionAlgebra) -> list[tuple[str, int, str | None]]:
-    """Count the elements of each norm that is not 0, over a field."""
-    from hfield.algebra import structure
+def _lines(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> list[Line]:
+    """Return the lines of a table: each kind, for each of its scalars, with what ``number`` counts."""
+    from hfield.algebra.structure.counting.counted_kinds import KINDS
 
+    lines: list[Line] = []
+    for kind in KINDS.values():
+        if kind.name == "norm" and A.ring.is_field:
+            lines += _norms(A, number)
+        elif kind.needs:
+            lines += [(label, *number(kind.name, x)) for label, x in _labelled(A.ring, kind)]
+        else:
+            lines.append((kind.name, *number(kind.name, A.ring.zero)))
+    return lines
+
+
+def _labelled(F: Ring, kind: CountedKind) -> Iterator[tuple[str, Scalar]]:
+    """Yield the scalars for which a kind has a line in a table, with its label."""
+    if not kind.scalars:
+        yield from ((kind.label.format(F.text(x)), x) for x in islice(F.elements(), NORMS))
+    for n in kind.scalars:
+        if n != -1 or F.characteristic != 2:  # there it is 1
+            yield kind.label.format(str(n).replace("-", "−")), F(n)
+
+
+def _norms(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> list[Line]:
+    """Return the lines for norms over a field: norm 0, and the square classes of the others."""
+    zero = ("norm 0", *number("norm", A.ring.zero))
     classes = _classes(A)
-    results = [structure.count(A.ring, A.constants, "norm", value) for _, value in classes]
+    results = [number("norm", x) for _, x in classes]
     if len(set(results)) == 1:
-        return [("each norm n ≠ 0", *results[0])]
-    return [(label, *found) for (label, _), found in zip(classes, results, strict=True)]
+        return [zero, ("each norm n ≠ 0", *results[0])]
+    return [zero, *((label, *found) for (label, _), found in zip(classes, results, strict=True))]
 
 
-def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
+def _classes(A: QuaternionAlgebra) -> list[tuple[str, Scalar]]:
     """Return one nonzero scalar of each square class, with how to call the norms in it."""
     F = A.ring
-    classes: list[tuple[str, object]] = [("each norm n a square ≠ 0", F.one)]
+    classes: list[tuple[str, Scalar]] = [("each norm n a square ≠ 0", F.one)]
     if F.characteristic != 2:
         from random import Random
 
@@ -128,23 +147,6 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
             pass
         classes.append(("each norm n not a square", x))
     return classes
-
-
-def _exhausted(A: QuaternionAlgebra) -> CountTable:
-    """Count over a finite ring that is not a field by enumerating all elements."""
-    from hfield.algebra import structure
-
-    found = structure.tally(A.ring, A.constants)
-    lines: list[tuple[str, int, str | None]] = [
-        ("elements", found.elements, None),
-        ("units", found.units, None),
-        *((f"norm {n}", number, None) for n, number in list(found.norms.items())[:NORMS]),
-        ("nilpotent", found.nilpotent, None),
-        ("idempotent", found.idempotent, None),
-        ("square roots of 1", found.roots[A.ring.text(A.ring.one)], None),
-        ("square roots of −1", found.roots[A.ring.text(A.ring(-1))], None),
-    ]
-    return CountTable(A, lines, found.elements)
 
 
 def parts(result: CountTable, heading: str = "") -> list[AnswerSection]:

@@ -18,15 +18,14 @@ from typing import Any, NamedTuple
 
 import flint
 
+from hfield.algebra.structure.counting.counted_kinds import counted_kind
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Scalar
-from hfield.errors import CoercionError, NotFiniteError, TooLargeError
+from hfield.errors import NotFiniteError, TooLargeError
 from hfield.fields.base.modular import Modular
 from hfield.fields.base.ring import Ring
 from hfield.fields.finite.ring import PrimeField
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
-
-KINDS = ("elements", "norm", "nilpotent", "idempotent", "square roots", "units")
 
 
 class Count(NamedTuple):
@@ -44,7 +43,7 @@ class _Shape(NamedTuple):
 
 
 def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
-    """Return the number of elements of one of the :data:`KINDS`, by closed formula.
+    """Return the number of elements of one of the kinds in ``counted_kinds``, by closed formula.
 
     ``value`` is the norm (default 0) or the scalar whose square roots are counted (default 1). Raises
     :class:`NotFiniteError` unless the ring is a finite field or ℤ/n, :class:`CoercionError` for a kind that
@@ -54,8 +53,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
         raise NotFiniteError(
             f"{ring.name} is not a finite field, nor ZZ/n: count over these, such as GF(9) or ZZ/6"
         )
-    if kind not in KINDS:
-        raise CoercionError(f"there is no count of {kind!r}: expected one of {', '.join(KINDS)}")
+    kind = counted_kind(kind).name
     assert ring.order is not None
     q = int(ring.order)
     if kind == "elements":
@@ -74,6 +72,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
         return _traceless(ring, shape, q, ring.zero)
     if kind == "idempotent":
         return _idempotents(shape, q)
+    assert kind == "square roots", kind
     return _square_roots(ring, shape, q, ring(1 if value is None else value))
 
 
@@ -300,6 +299,7 @@ def _modulo_prime_powers(ring: Ring, c: Constants, kind: str, value: int) -> lis
         elif kind == "idempotent":
             parts.append(2 + (_over_prime(c, p, kind) - 2) * p ** (2 * (k - 1)))
         else:
+            assert kind in ("units", "nilpotent"), kind
             parts.append(_over_prime(c, p, kind) * p ** (4 * (k - 1)))
     return parts
 

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from hfield.algebra.structure.counting.formulas_finite import Count, count
+from hfield.algebra.structure.counting.counted_kinds import KINDS
+from hfield.algebra.structure.counting.formulas_finite import count
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.core.progress import track
 from hfield.errors import NotFiniteError, TooLargeError, shorten
@@ -43,6 +44,11 @@ class Tally:
     idempotent: int = 0
     units: int = 0
     roots: dict[str, int] = field(default_factory=dict)
+
+    def number(self, kind: str, value: str = "") -> int:
+        """Return how many elements there are of a kind; ``value`` is the text of the norm or square."""
+        by_value = {"norm": self.norms, "square roots": self.roots}
+        return by_value[kind][value] if kind in by_value else int(getattr(self, kind))
 
 
 class RingTables:
@@ -196,16 +202,12 @@ def confirm(ring: Ring, c: Constants) -> Tally:
     Raises :class:`AssertionError` where they differ, which would be an error of this package.
     """
     found = tally(ring, c)
-    pairs: list[tuple[Count, int]] = [
-        (count(ring, c, "elements"), found.elements),
-        (count(ring, c, "nilpotent"), found.nilpotent),
-        (count(ring, c, "idempotent"), found.idempotent),
-        (count(ring, c, "units"), found.units),
-    ]
-    for x in ring.elements():
-        pairs.append((count(ring, c, "norm", x), found.norms[ring.text(x)]))
-        pairs.append((count(ring, c, "square roots", x), found.roots[ring.text(x)]))
-    for formula, number in pairs:
-        if formula.value != number:
-            raise AssertionError(f"{formula} was expected and {number} counted over {ring.name}")
+    for kind in KINDS.values():
+        for x in ring.elements() if kind.needs else [ring.zero]:
+            formula = count(ring, c, kind.name, x if kind.needs else None)
+            number = found.number(kind.name, ring.text(x))
+            if formula.value != number:
+                raise AssertionError(
+                    f"{formula} was expected and {number} counted over {ring.name}"
+                )
     return found
