@@ -24,7 +24,7 @@ import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from flint import fmpq, fmpq_mat, fmpz_mat
@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain, NormOneGroup
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
+    from hfield.orders.base_values import BaseNumber, Prime
 
 RADIUS, RADIUS_OVER_FIELDS = 2.2, 0.6
 """Balls that cover a domain have at most this radius, over ℚ and over other fields."""
@@ -78,7 +79,7 @@ class CMPoint:
     """
 
     group: NormOneGroup
-    discriminant: Any
+    discriminant: BaseNumber
     element: Quaternion
     stabiliser: Quaternion
 
@@ -127,12 +128,12 @@ class TraceZeroLattice:
         den = self.rows.numer_denom()[1]
         return multiplications(self.ambient, (self.rows * fmpq(den)).numer_denom()[0])
 
-    def products(self, center: Quaternion) -> list[Any]:
+    def products(self, center: Quaternion) -> list[BaseNumber]:
         """Return tr(s·conj(c))/2 for the basis, numbers of the field."""
         scalar, bar = self.order.scalar, center.conjugate()
         return [scalar((s * bar).trace()) / 2 for s in self.basis]
 
-    def number(self, values: Sequence[float]) -> Any:
+    def number(self, values: Sequence[float]) -> BaseNumber:
         """Return a number of the field with about these values at the real places."""
         digits = np.linalg.solve(self._real.T, np.array(values))
         return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
@@ -173,7 +174,7 @@ class Ball:
             norms = _integers(self.steps * lattice.norms * self.steps.transpose())
             self._norms = norms if any(norms[n][n] for n in range(3)) else None
 
-    def bound(self, norm: Any) -> int:
+    def bound(self, norm: BaseNumber) -> int:
         """Return a bound of the form at elements of given norm whose point or axis meets the ball."""
         order, base, bound = self.lattice.order, self.lattice.base, 0.0
         for v in base.real_places:
@@ -183,7 +184,7 @@ class Ball:
             bound += weight * n + max(share, 0.0) * abs(square)
         return math.floor(bound * (1 + MARGIN) * self._below + MARGIN)
 
-    def roots(self, d: Any) -> Iterator[Quaternion]:
+    def roots(self, d: BaseNumber) -> Iterator[Quaternion]:
         """Yield elements that include one of ±s for each primitive s with s² = d whose point or axis meets
         the ball.
 
@@ -194,11 +195,13 @@ class Ball:
             if is_primitive(vector, lattice.multiplications):
                 yield lattice.ambient.quaternion((vector * lattice.rows).entries())
 
-    def _vectors(self, d: Any) -> Iterator[fmpz_mat]:
+    def _vectors(self, d: BaseNumber) -> Iterator[fmpz_mat]:
         """Yield one of ±s, in coordinates, for each s with s² = d at which the form is at most the bound."""
         bound, lattice = self.bound(-d), self.lattice
         if self._norms is not None:
-            for found in vectors_of_value(self._norms, -2 * int(d), self.gram, bound):
+            for found in vectors_of_value(
+                self._norms, -2 * int(lattice.base.trace(d).p), self.gram, bound
+            ):
                 yield fmpz_mat([list(found)]) * self.steps
             return
         if enumeration.volume(self.gram, bound, len(self.gram)) > MAX_VECTORS:
@@ -213,7 +216,7 @@ def _integers(matrix: fmpz_mat) -> list[list[int]]:
     return [list(map(int, row)) for row in matrix.tolist()]
 
 
-def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
+def roots(domain: Domain, d: BaseNumber) -> Iterator[tuple[Quaternion, Vector]]:
     """Yield pairs (s, v) that include all optimal embeddings whose point or axis meets a domain.
 
     s is the image of √d, and v is the vector of s in the plane of the domain. Only one of s and −s is
@@ -230,7 +233,7 @@ def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
                 yield on_sheet, v
 
 
-def discriminant(order: SplitOrder, d: object) -> tuple[Any, Any]:
+def discriminant(order: SplitOrder, d: object) -> tuple[BaseNumber, BaseNumber]:
     """Return a discriminant as a number of the field of the base, and t with t² ≡ d modulo 4.
 
     Raises :class:`LatticeError` for what is not a discriminant of a quadratic order, or a square.
@@ -261,7 +264,7 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
 
 
 @lru_cache(maxsize=64)
-def _points(group: NormOneGroup, x: Any, t: Any) -> tuple[CMPoint, ...]:
+def _points(group: NormOneGroup, x: BaseNumber, t: BaseNumber) -> tuple[CMPoint, ...]:
     """Return the CM points of a discriminant x ≡ t² modulo 4, numbers of the field of the base."""
     order, domain = group.order, group.domain()
     polygon, shift = domain.polygon, order.algebra(order.base.outside(t))
@@ -300,7 +303,7 @@ def place(domain: Domain, point: CMPoint) -> complex:
     return domain.polygon.plane.disc(_on_sheet(domain.polygon, point.root)[1])
 
 
-def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, Any]:
+def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, Prime | None]:
     """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4.
 
     Or None, a reason, and a prime at which there is none, where one is known. It is sought near some points
@@ -334,7 +337,7 @@ def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
     return tuple((shift + s) / 2 for s in _directed_axes(group, x))
 
 
-def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
+def _directed_axes(group: NormOneGroup, x: BaseNumber) -> Iterator[Quaternion]:
     """Yield an image of √d for each orbit, of a discriminant d that is positive at the place that splits.
 
     Of two opposite elements, which have one axis, each is in an orbit, perhaps in the same.
@@ -365,7 +368,7 @@ def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
     )
 
 
-def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
+def _near_some_points(order: SplitOrder, d: BaseNumber) -> Iterator[Quaternion]:
     """Yield images of √d whose point or axis meets a ball around one of some points of the plane."""
     lattice, rng = TraceZeroLattice(order), random.Random(1)
     plane = Plane(order, next(free_centers(order)))
@@ -374,7 +377,9 @@ def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
         yield from Ball(lattice, plane.nearby(disc, 20), 1.0).roots(d)
 
 
-def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | None:
+def _local_obstruction(
+    order: SplitOrder, d: BaseNumber, t: BaseNumber
+) -> tuple[str, Prime | None] | None:
     """Return why a place rules an embedding out, with the prime that it is; None where no reason applies.
 
     Where the algebra ramifies at P the quadratic field must not split, and an Eichler order has no
@@ -389,13 +394,13 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | N
         if base.quadratic_symbol(t, norm, P) == 1:
             return f"{P} splits in the quadratic field, and the algebra ramifies at {P}", P
         p = base.absolute_norm(base.prime_ideal(P))
-        if eichler and base.is_rational and not is_maximal_at(int(d), p):
+        if eichler and base.is_rational and not is_maximal_at(int(base.trace(d).p), p):
             return f"{P} divides the conductor, and the algebra ramifies at {P}", P
     for P, e in base.factorisation(level(value)) if eichler else ():
         if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
             return f"{P} is inert in the quadratic field, and divides the level", P
         p = base.absolute_norm(base.prime_ideal(P))
-        if base.is_rational and not is_square_modulo(int(d), p, e + 2 * (p == 2)):
+        if base.is_rational and not is_square_modulo(int(base.trace(d).p), p, e + 2 * (p == 2)):
             return (
                 f"{d} is not a square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level",
                 P,

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from flint import fmpz_mat
@@ -21,7 +20,7 @@ from hfield.core.progress import report
 from hfield.errors import TooLargeError
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
-from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
+from hfield.fuchsian.search import Points, Rows, Sight, distinct, free_centers
 from hfield.fuchsian.sector import least_rotation, sector
 from hfield.fuchsian.side_search import Shape, enlarge_polygon
 from hfield.fuchsian.split_order import SplitOrder
@@ -62,7 +61,7 @@ def domain(
     order: SplitOrder,
     center: Quaternion,
     area: Fraction,
-    given: Any = None,
+    given: Rows | None = None,
     stabiliser: Quaternion | None = None,
 ) -> Found:
     """Return the domain around a point, the partners of sides, cycles of vertices.
@@ -165,7 +164,7 @@ def generators_by_cosets(order: SplitOrder, above: SplitOrder) -> Rows:
     return np.array(order.rows([u for u in units if u != u.conjugate()]))
 
 
-def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
+def places(shape: Shape, area: float, rng: np.random.Generator) -> Points:
     """Return points in a polygon, in Poincaré's disc, near which to search for further units.
 
     Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside

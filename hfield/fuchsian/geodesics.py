@@ -219,7 +219,8 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
     for rows in _tiles(sight, np.array(order.rows(domain.polygon.units)), reach):
         a, b = sight.motions(rows)
         size = 2 * abs(a.real)
-        rows, a, b = (x[(size > 2 - MARGIN) & (size < bound)] for x in (rows, a, b))
+        right = (size > 2 - MARGIN) & (size < bound)
+        rows, a, b = rows[right], a[right], b[right]
         # the axis of g is where the plane's form, of g − conj(g), is 0
         value = a.imag[:, None] + (b[:, None] * klein.conj()).imag
         near = (value.min(axis=1) < MARGIN) & (value.max(axis=1) > -MARGIN)

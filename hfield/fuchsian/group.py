@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import acosh
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.geodesics import Geodesic
     from hfield.fuchsian.polygon import Polygon
+    from hfield.fuchsian.search import Rows
+    from hfield.orders.base_values import BaseNumber
 
 
 class Signature(NamedTuple):
@@ -71,7 +73,7 @@ class QuotientOrbifold(NamedTuple):
 
     signature: Signature
     area: Fraction
-    elements: dict[Any, Quaternion]
+    elements: dict[BaseNumber, Quaternion]
 
 
 @dataclass(frozen=True)
@@ -297,7 +299,7 @@ class NormOneGroup(Certified, Hinted):
         return dirichlet.order_above(self.order)
 
     @cached_property
-    def _known(self) -> Any:
+    def _known(self) -> Rows | None:
         """Coordinates of generators of the group of that order, in the same case."""
         from hfield.fuchsian import dirichlet
 
@@ -496,7 +498,7 @@ class NormOneGroup(Certified, Hinted):
         cosets = normaliser.Cosets(self._domain.polygon, norms)
         _, partners, cycles = normaliser.domain(cosets, self.area)
         area = self.area / len(cosets.elements)
-        elements: dict[Any, Quaternion] = {}
+        elements: dict[BaseNumber, Quaternion] = {}
         for w in cosets.elements:
             while w.norm() in elements:  # two ideals may have one norm
                 w = 2 * w
@@ -578,7 +580,7 @@ class NormOneGroup(Certified, Hinted):
 
         Raises :class:`LatticeError` for what is not in the group.
         """
-        q: Any = self.order.algebra(x)
+        q = self.order.algebra(x)
         if q not in self.order or q.norm() != 1:
             raise LatticeError(
                 f"{shorten(q)} is not a unit of norm 1 of the order: it has norm {q.norm()}"

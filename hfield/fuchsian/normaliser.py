@@ -13,7 +13,6 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -25,6 +24,7 @@ from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
 from hfield.fuchsian.side_search import enlarge_polygon
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.orders.base_values import BaseNumber
 
 CENTERS = 20
 """Centres that are tried at most."""
@@ -34,7 +34,7 @@ MAX_COORDINATES = 128
 """Coordinates of an element of the larger group, over all cosets, at most."""
 
 
-def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion:
+def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: BaseNumber) -> Quaternion:
     """Return an element of a two-sided ideal with a norm that generates that of the ideal.
 
     Raises :class:`TooLargeError` where none was found.
@@ -77,13 +77,13 @@ class Cosets:
         root = self.order.root(self.order.scalar(z.norm()))
         return root is not None and z / root in self.order
 
-    def block(self, n: int, rows: Any) -> Rows:
+    def block(self, n: int, rows: Rows | list[list[int]]) -> Rows:
         """Return coordinates in coset n of an element given by coordinates with respect to the order."""
         found = np.zeros((len(rows), len(self.elements), self.size), dtype=np.int64)
         found[:, n] = rows
         return found.reshape(len(rows), -1)
 
-    def element(self, row: Any) -> Quaternion | None:
+    def element(self, row: Rows) -> Quaternion | None:
         """Return the element with these coordinates, or None if it is not in the coset."""
         blocks = row.reshape(-1, self.size)
         n = int(abs(blocks).sum(axis=1).argmax())
@@ -91,7 +91,7 @@ class Cosets:
         return self.elements[n] * unit if unit.norm() == 1 else None
 
     @cached_property
-    def products(self) -> Any:
+    def products(self) -> Rows:
         """The products of the basis: (w·x)·(w'·y) is a number times w''·(w''⁻¹·w·x·w'·y)."""
         order, found = self.order, []
         norms = [order.scalar(w.norm()) for w in self.elements]
@@ -108,7 +108,7 @@ class Cosets:
         return whole.transpose(0, 2, 1, 3, 4).reshape((self.size * count,) * 3)
 
     @cached_property
-    def bar(self) -> Any:
+    def bar(self) -> Rows:
         """The conjugates of the basis, which are inverses up to numbers."""
         found = [
             self.block(
@@ -130,7 +130,7 @@ class CosetSight(Sight):
             (a * self.a + b * self.b.conj()).reshape(-1),
             (a * self.b + b * self.a.conj()).reshape(-1),
         )
-        self.other_norms = np.kron(np.eye(len(a))[None], self.other_norms)
+        self.other_norms = np.asarray(np.kron(np.eye(len(a))[None], self.other_norms), dtype=float)
         self.products, self.bar, self.rank = cosets.products, cosets.bar, len(self.a)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from html import escape
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,12 @@ from hfield.fuchsian.tessellation import move, tessellation
 from hfield.plotting import default_settings, save_figure
 
 if TYPE_CHECKING:
+    from matplotlib.patches import Circle
+    from matplotlib.path import Path as Curve
+
     from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
+    from hfield.fuchsian.search import Points
 
 RADIUS = 320.0
 """Of the disc in an SVG, in its pixels."""
@@ -165,7 +169,7 @@ def _words(domain: Domain) -> tuple[str, str]:
 # --- geometry: points of the disc are complex numbers ----------------------------------------------------
 
 
-def sides_of(corners: Any) -> list[DrawnSide]:
+def sides_of(corners: Points) -> list[DrawnSide]:
     """Return the sides of the polygon with these corners, (k,)."""
     ends = np.roll(corners, -1)
     # The centre c has the same power 1 to the unit circle: Re(c·conj(p)) = (1 + |p|²)/2 at both ends.
@@ -399,7 +403,7 @@ def _save(drawing: DiscDrawing, path: Path) -> None:
         height = 7 * (2.54 + more) / 2.08
         figure = Figure(figsize=(7, height), facecolor=theme["page"])
         FigureCanvasAgg(figure)
-        axes: Any = figure.add_axes((0, 0, 1, 1))
+        axes = figure.add_axes((0, 0, 1, 1))
         axes.set(aspect="equal", xlim=(-1.04, 1.04), ylim=(-1.305 - more, 1.235))
         axes.axis("off")
         axes.add_patch(Circle((0, 0), 1, facecolor=theme["disc"], edgecolor="none"))
@@ -454,7 +458,7 @@ def _save(drawing: DiscDrawing, path: Path) -> None:
         save_figure(figure, path)
 
 
-def _cm_mark(point: complex, color: str, ink: str) -> Any:
+def _cm_mark(point: complex, color: str, ink: str) -> Circle:
     """Return matplotlib's mark of a CM point."""
     from matplotlib.patches import Circle
 
@@ -462,7 +466,7 @@ def _cm_mark(point: complex, color: str, ink: str) -> Any:
     return Circle(center, CM_SIZE / RADIUS, facecolor=color, edgecolor=ink, lw=1)
 
 
-def _curve(sides: list[DrawnSide]) -> Any:
+def _curve(sides: list[DrawnSide]) -> Curve:
     """Return matplotlib's path along sides that follow one another, arcs as cubic curves."""
     from matplotlib.path import Path as Curve
 

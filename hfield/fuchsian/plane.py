@@ -11,14 +11,16 @@ section 36.2 for the hyperboloid.
 from __future__ import annotations
 
 from math import ceil, sqrt
-from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.orders.base_values import BaseNumber
 
-Vector = tuple[Any, Any, Any]
+Vector = tuple[BaseNumber, BaseNumber, BaseNumber]
 """Exact numbers of the field."""
 Motion = tuple[Vector, Vector, Vector]
+CENTER: tuple[object, object, object] = (1, 0, 0)
+"""The centre, as a vector."""
 
 
 class Plane:
@@ -33,7 +35,8 @@ class Plane:
         basis = order.algebra.basis
         u = next(u for v in basis[1:] if (u := center * v - v * center).norm() != 0)
         self.axes = (center, u, center * u)
-        self.norms = tuple(order.scalar(v.norm()) for v in self.axes)
+        n0, n1, n2 = (order.scalar(v.norm()) for v in self.axes)
+        self.norms: Vector = (n0, n1, n2)
         # the coordinate on an axis v is tr(x·conj(v)) / 2·N(v), linear in the four coordinates of x
         self._forms = [
             [order.scalar((e * v.conjugate()).trace()) / (2 * norm) for e in basis]
@@ -52,7 +55,7 @@ class Plane:
         """Return where g, of positive norm, moves the centre."""
         return self.vector(g * self.center * _inverse(g))
 
-    def norm(self, x: Vector) -> Any:
+    def norm(self, x: Vector) -> BaseNumber:
         """Return the norm: positive in the plane, 0 on its circle at infinity."""
         n, m, k = self.norms
         return n * x[0] * x[0] + m * x[1] * x[1] + k * x[2] * x[2]
@@ -101,7 +104,7 @@ def apply(motion: Motion, x: Vector) -> Vector:
     return (dot(a, x), dot(b, x), dot(c, x))
 
 
-def dot(f: Vector, x: Vector) -> Any:
+def dot(f: Vector, x: Vector) -> BaseNumber:
     """Return the value of a form."""
     return f[0] * x[0] + f[1] * x[1] + f[2] * x[2]
 

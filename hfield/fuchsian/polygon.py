@@ -10,7 +10,7 @@ from flint import arb, ctx
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
-from hfield.fuchsian.plane import Motion, Plane, Vector, apply, dot, meeting
+from hfield.fuchsian.plane import CENTER, Motion, Plane, Vector, apply, dot, meeting
 
 
 class Polygon:
@@ -87,7 +87,7 @@ class Polygon:
     def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
         """Move a point into the polygon by inverses of units; return it, and by which, in order."""
         path: list[int] = []
-        while x != (1, 0, 0) and (n := self.beyond(x)) is not None:
+        while x != CENTER and (n := self.beyond(x)) is not None:
             path.append(n)
             x = apply(self.back(n), x)
         return x, path

@@ -15,18 +15,23 @@ import random
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from flint import fmpz_mat
+from numpy.typing import NDArray
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.orders.base_values import BaseNumber
 from hfield.orders.lattice_values import LatticeValue
 
-Rows = Any
+Rows = NDArray[np.int64]
 """An array of integers: coordinates with respect to the basis of the order, one element a row."""
+Floats = NDArray[np.float64]
+Points = NDArray[np.complex128]
+"""Points of the disc, or entries of matrices that move it."""
+Flags = NDArray[np.bool_]
 VECTORS_PER_POINT = 200
 """About so many vectors are looked at for each point."""
 EQUAL_WITHIN = 1e-6
@@ -46,7 +51,10 @@ class Sight:
     """
 
     def __init__(
-        self, plane: Plane, basis: Sequence[Quaternion] | None = None, norm: Any = None
+        self,
+        plane: Plane,
+        basis: Sequence[Quaternion] | None = None,
+        norm: BaseNumber | None = None,
     ) -> None:
         self.plane, order, real = plane, plane.order, plane.order.real
         self.basis = basis = order.basis if basis is None else tuple(basis)
@@ -63,7 +71,7 @@ class Sight:
         self.empty = np.empty((0, self.rank), dtype=np.int64)
         # the norms at the other places, one form each
         traces = np.array(order.traces_at_other_places(basis), dtype=float)
-        self.other_norms: Any = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        self.other_norms: Floats = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
         if norm is not None:  # elements of this norm, of another lattice, look as units do
             size = math.sqrt(abs(real(norm)))
             self.a, self.b = self.a / size, self.b / size
@@ -77,19 +85,19 @@ class Sight:
         ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
         self.cosh = max(2.0, math.sqrt(VECTORS_PER_POINT * covolume / ball))
         """Units within this distance of a point are found, by the hyperbolic cosine."""
-        self._turns: Any = None
+        self._turns: tuple[Rows, Rows] | None = None
 
     @cached_property
-    def products(self) -> Any:
+    def products(self) -> Rows:
         """The products of the basis of the order."""
         return np.array(self.plane.order.products).reshape(self.rank, self.rank, self.rank)
 
     @cached_property
-    def bar(self) -> Any:
+    def bar(self) -> Rows:
         """The matrix of the conjugation."""
         return np.array(self.plane.order.bars)
 
-    def motions(self, rows: Rows) -> tuple[Any, Any]:
+    def motions(self, rows: Rows) -> tuple[Points, Points]:
         """Return a and b of elements."""
         # one thread: BLAS would wake as many as there are, which takes longer than the products
         a, b = (np.einsum("ni,i->n", rows, x) for x in (self.a, self.b))
@@ -115,15 +123,17 @@ class Sight:
         groups = same.reshape(-1, len(right), self.rank).tolist()
         return distinct(np.array([min(group) for group in groups] or self.empty))
 
-    def left(self, rows: Rows) -> Any:
+    def left(self, rows: Rows) -> Rows:
         """Return the matrices by which these elements multiply rows from the left."""
-        return np.einsum("ni,ijk->njk", rows, self.products)
+        found: Rows = np.einsum("ni,ijk->njk", rows, self.products)
+        return found
 
-    def times(self, matrices: Any, rows: Rows) -> Rows:
+    def times(self, matrices: Rows, rows: Rows) -> Rows:
         """Return the products of rows with elements on the left, given by their matrices."""
-        return np.einsum("nj,njk->nk", rows, matrices)
+        found: Rows = np.einsum("nj,njk->nk", rows, matrices)
+        return found
 
-    def forms(self, points: Any, cosh: float) -> Any:
+    def forms(self, points: Points | Floats, cosh: float) -> Floats:
         """Return linear forms, columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms elsewhere."""
         alpha = 1 / np.sqrt((1 - abs(points) ** 2) * cosh)[:, None]
         beta = alpha * points[:, None]
@@ -132,11 +142,11 @@ class Sight:
         others = np.broadcast_to(self._others, (len(points), *self._others.shape))
         return np.concatenate([np.stack([a.real, a.imag, b.real, b.imag], axis=2), others], axis=2)
 
-    def carrying(self, points: Any, cosh: float | None = None) -> Rows:
+    def carrying(self, points: Points | Floats, cosh: float | None = None) -> Rows:
         """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
         return distinct(self.units(self.near(points, cosh)))
 
-    def near(self, points: Any, cosh: float | None = None) -> Rows:
+    def near(self, points: Points | Floats, cosh: float | None = None) -> Rows:
         """Return nonzero elements, up to sign, that are short for some point of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
@@ -146,7 +156,7 @@ class Sight:
         rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
         return np.concatenate(rows)
 
-    def of_norm(self, rows: Rows, sign: int) -> Any:
+    def of_norm(self, rows: Rows, sign: int) -> Flags:
         """Return which elements have norm ±1, with this sign at the place."""
         a, b = self.motions(rows)
         good = abs(abs(a) ** 2 - abs(b) ** 2 - sign) < 0.2
@@ -163,7 +173,9 @@ class Sight:
         ]
 
 
-def element_of_norm(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion | None:
+def element_of_norm(
+    order: SplitOrder, basis: Sequence[Quaternion], norm: BaseNumber
+) -> Quaternion | None:
     """Return an element of a lattice with this norm, an exact number, that is short from somewhere, or None.
 
     At the places that do not split the norm is positive. Every element is short from some points.
@@ -238,7 +250,7 @@ def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
                 yield c
 
 
-def reduction(vectors: Any) -> Any:
+def reduction(vectors: Floats) -> Rows:
     """Return the change to a reduced basis of the lattice that rows span."""
     whole = np.rint(vectors * 2.0**30).astype(np.int64).tolist()
     _, steps = fmpz_mat(whole).lll(transform=True)
@@ -257,7 +269,7 @@ def distinct(rows: Rows) -> Rows:
     return np.array(found, dtype=np.int64).reshape(len(found), rows.shape[1])
 
 
-def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:
+def short_vectors(bases: Floats, bound: float) -> tuple[Rows, Rows]:
     """Return the combinations of vectors, up to the sign, with squares up to a bound, in many lattices.
 
     The number of each one's lattice, ascending, and the coefficients. After Fincke and Pohst, breadth

@@ -6,11 +6,9 @@ Units are reduced by one another until those that bound a polygon pair its sides
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from hfield.fuchsian.search import Rows, Sight, distinct
+from hfield.fuchsian.search import Floats, Points, Rows, Sight, distinct
 
 EQUAL_WITHIN = 1e-9
 BESIDE = 24
@@ -55,7 +53,7 @@ class Shape:
         self._back = sight.left(self.rows @ sight.bar)
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
-    def beyond(self, points: Any) -> Any:
+    def beyond(self, points: Points) -> Rows:
         """Return the number of a side beyond which each point lies, −1 for one inside.
 
         It is about that nearest to the point's image: what lies beyond any side lies beyond the one in its
@@ -79,13 +77,13 @@ class Shape:
             found[n : n + 4096] = np.where(over, side, -1)
         return found
 
-    def _towards(self, points: Any) -> Any:
+    def _towards(self, points: Points) -> Rows:
         """Return the number of the side in the direction of each point, or of one beside it."""
         turns = np.angle(self.corners)
         first = int(turns.argmin())
         return np.searchsorted(np.roll(turns, -first), np.angle(points)) - 1 + first
 
-    def gaps(self) -> tuple[Any, Any]:
+    def gaps(self) -> tuple[Floats, Floats]:
         """Return the arcs of the circle that belong to the polygon: where each begins, and how wide it is."""
         if not len(self.dual):
             return np.zeros(1), np.full(1, 2 * np.pi)
@@ -95,7 +93,7 @@ class Shape:
         wide = width > 100 * EQUAL_WITHIN  # else it is a cusp, rounded
         return start[wide], width[wide]
 
-    def inside(self, points: Any) -> Any:
+    def inside(self, points: Points) -> Points:
         """Return images of points of Klein's model in the polygon."""
         points = points.copy()
         for _ in range(STEPS):
@@ -163,7 +161,7 @@ def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
             return shape
 
 
-def corners(dual: Any) -> Any:
+def corners(dual: Points) -> Points:
     """Return where each of the lines with these dual points meets the one before, in Klein's model."""
     before = np.roll(dual, 1)
     area = (before.conj() * dual).imag
@@ -171,13 +169,13 @@ def corners(dual: Any) -> Any:
     return 1j * (before - dual) / area
 
 
-def moved(a: Any, b: Any, z: Any) -> Any:
+def moved(a: Points, b: Points, z: Points) -> Points:
     """Return the images of points of Klein's model under ``[[a, b], [conj(b), conj(a)]]``."""
     height = abs(a) ** 2 + abs(b) ** 2 + 2 * (a * b.conj() * z).real
     return (2 * a * b + a * a * z + b * b * z.conj()) / height
 
 
-def hull(points: Any) -> list[int]:
+def hull(points: Points) -> list[int]:
     """Return the corners of the convex hull of points, counterclockwise, by their numbers."""
     turned = points * np.exp(0.7371j)  # symmetric points have no real part in common
     x, y = turned.real.tolist(), turned.imag.tolist()

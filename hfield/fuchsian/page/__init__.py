@@ -15,6 +15,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
 from hfield.fuchsian.pair_colors import (
@@ -64,7 +66,7 @@ def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, Any]:
     """
     plane = domain.polygon.plane
     sight, given = Sight(plane), domain if domain.stabiliser == 1 else domain.group.domain()
-    a, b = sight.motions(plane.order.rows(given.polygon.units))
+    a, b = sight.motions(np.array(plane.order.rows(given.polygon.units)))
     first = plane.vector(given.center_element)
     if plane.order.sign(first[0]) < 0:
         first = (-first[0], -first[1], -first[2])
