@@ -15,14 +15,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.structure.elements.square_roots import square_roots
 from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no_value
-from hfield.core.product import Constants, Coordinates, norm, trace
+from hfield.core.product import Constants, Coordinates, Scalar, norm, trace
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.floats import RDF
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeIs
+
+    from hfield.fields.circles.angles import SymbolicAngle, WithAngles
+
+    PolarForm = tuple[Scalar, Coordinates, Scalar | SymbolicAngle]
 
 
 def over_floats(ring: Ring) -> bool:
@@ -46,28 +53,28 @@ class RealFunctions:
                 "exponentials, logarithms and polar forms are computed over RDF, and of single quaternions "
                 f"over RR, not over {what}: write q.change_ring('RR') or q.change_ring('RDF')"
             )
-        self.ring: Any = ring
+        self.ring = ring
 
-    def __getattr__(self, name: str) -> Callable[[Any], Any]:
-        function: Callable[[Any], Any] = self.ring.functions()[name]
-        return function
+    def __getattr__(self, name: str) -> Callable[[Scalar], Scalar]:
+        return self.ring.functions()[name]
 
-    def angle(self, y: Any, x: Any) -> Any:
+    def angle(self, y: Scalar, x: Scalar) -> Scalar:
         """Return the angle of the point (x, y), which must be a rational multiple of π."""
         import sympy
 
         from hfield.fields.algebraic.closed_forms import to_sympy
 
         try:
-            return self.ring(sympy.atan2(to_sympy(y), to_sympy(x)))
+            found: Scalar = self.ring(sympy.atan2(to_sympy(y), to_sympy(x)))
         except HFieldError:
             raise CoercionError(
                 f"the angle of the point ({x}, {y}) is not a rational multiple of π, and RR does not have "
                 "it: write q.change_ring('RDF')"
             ) from None
+        return found
 
 
-def parts(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, Any]:
+def parts(ring: Ring, c: Constants, q: Coordinates) -> tuple[Scalar, Coordinates, Scalar]:
     """Return w, v and s with ``q = w + v``, ``tr(v) = 0`` and ``v² = s``. 2 must be a unit of the ring."""
     a, t, b = c
     w, x, y, z = q
@@ -78,19 +85,19 @@ def parts(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
     return w + middle, (-middle, x, y, z), square
 
 
-def _combined(even: Any, odd: Any, v: Coordinates) -> Coordinates:
+def _combined(even: Scalar, odd: Scalar, v: Coordinates) -> Coordinates:
     """Return ``even + odd·v``."""
     w, x, y, z = v
     return even + odd * w, odd * x, odd * y, odd * z
 
 
 def exact_value(
-    ring: Any,
+    ring: Ring,
     c: Constants,
     q: Coordinates,
-    f: Callable[[Any], Any],
-    slope: Callable[[Any], Any],
-    complex_parts: Callable[[Any, Any], tuple[Any, Any]],
+    f: Callable[[Scalar], Scalar],
+    slope: Callable[[Scalar], Scalar],
+    complex_parts: Callable[[Scalar, Scalar], tuple[Scalar, Scalar]],
 ) -> Coordinates:
     """Return f(q) over RR, from f(w), f′(w), and the real and imaginary part of f(w + iφ)."""
     w, v, s = parts(ring, c, q)
@@ -98,6 +105,7 @@ def exact_value(
     if sign == 0:
         return _combined(f(w), slope(w), v)
     phi = ring.sqrt(s if sign > 0 else -s)
+    assert phi is not None, "a positive number of RR has a root"
     if sign < 0:
         even, odd = complex_parts(w, phi)
     else:
@@ -106,7 +114,7 @@ def exact_value(
     return _combined(even, ring.divide(odd, phi), v)
 
 
-def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
+def modulus(ring: Ring, c: Constants, q: Coordinates) -> Scalar:
     """Return ``|q| = √N(q)``, the nonnegative root, of an array elementwise (Definition 2).
 
     Raises :class:`NoSolutionError` where the norm has no root in the base ring, and :class:`RingError`
@@ -115,7 +123,8 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
 
-        return float_functions.modulus(c, q)
+        found: Scalar = float_functions.modulus(c, q)
+        return found
     square = norm(c, q)
     try:
         positive(ring, square)
@@ -123,7 +132,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
         raise RingError(
             f"|q| is the nonnegative root of N(q), and {ring} has no ordering"
         ) from None
-    root = ring.sqrt(square)
+    root: Scalar | None = ring.sqrt(square)
     if root is None:
         raise NoSolutionError(
             f"|q| = √({shorten(ring.text(square))}) is not in {ring}; q.change_ring('RR') has it where "
@@ -132,13 +141,13 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
     return root if positive(ring, root) else -root
 
 
-def positive(ring: Any, x: Any) -> bool:
+def positive(ring: Ring, x: Scalar) -> bool:
     """Return whether x ≥ 0; among functions of angles, where all angles are small and positive."""
-    sign: Callable[[Any], int] = getattr(ring, "sign_near_zero", ring.sign)
+    sign: Callable[[Scalar], int] = getattr(ring, "sign_near_zero", ring.sign)
     return sign(x) >= 0
 
 
-def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, Any]:
+def polar(ring: Ring, c: Constants, q: Coordinates) -> PolarForm:
     """Return r, n and θ with ``q = r·(cos θ + n·sin θ)`` and ``n² = −1``; n of a scalar is i, j or k.
 
     Raises :class:`NoSolutionError` where v² > 0, or v ≠ 0 and v² = 0.
@@ -146,7 +155,7 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
 
-        found: tuple[Any, Coordinates, Any] = float_functions.polar(c, q, lambda: _axis(ring, c))
+        found: PolarForm = float_functions.polar(c, q, lambda: _axis(ring, c))
         return found
     w, v, s = parts(ring, c, q)
     if has_angles(ring):
@@ -161,14 +170,14 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
     return r, _combined(ring.zero, ring.inverse(phi), v), functions.angle(phi, w)
 
 
-def has_angles(ring: Any) -> bool:
+def has_angles(ring: Ring) -> TypeIs[WithAngles]:
     """Return whether the ring has cosines and sines of angles."""
     return hasattr(ring, "angle_of_point")
 
 
 def _polar_with_angles(
-    ring: Any, c: Constants, of: tuple[Any, Coordinates, Any], r: Any
-) -> tuple[Any, Coordinates, Any]:
+    ring: WithAngles, c: Constants, of: tuple[Scalar, Coordinates, Scalar], r: Scalar
+) -> PolarForm:
     """Return the polar form; where all angles are small and positive, θ lies in [0, π], as over RR."""
     w, v, s = of
     if ring.is_zero(r):
@@ -187,10 +196,10 @@ def _polar_with_angles(
     return r, _combined(ring.zero, ring.inverse(phi), v), angle
 
 
-def power_with_angles(ring: Any, c: Constants, q: Coordinates, exponent: Fraction) -> Coordinates:
+def power_with_angles(ring: Ring, c: Constants, q: Coordinates, exponent: Fraction) -> Coordinates:
     """Return ``rᵖ·(cos pθ + n·sin pθ)`` (De Moivre). Raises :class:`CoercionError`, NoSolutionError."""
     r, n, angle = polar(ring, c, q)
-    length = r
+    length: Scalar | None = r
     if exponent.denominator != 1 and not ring.is_zero(r - ring.one):
         length = ring.sqrt(r) if exponent.denominator == 2 else None
         if length is None:
@@ -202,7 +211,7 @@ def power_with_angles(ring: Any, c: Constants, q: Coordinates, exponent: Fractio
     return _combined(length * cosine, length * sine, n)
 
 
-def _axis(ring: Any, c: Constants) -> Coordinates:
+def _axis(ring: Ring, c: Constants) -> Coordinates:
     """Return the first of i, j, k whose square is −1."""
     a, t, b = c
     zero, one = ring.zero, ring.one
@@ -215,11 +224,10 @@ def _axis(ring: Any, c: Constants) -> Coordinates:
     raise NoSolutionError("none of i, j, k has the square −1, to be the axis of a scalar")
 
 
-def cosine_and_sine(ring: Ring, angle: Any) -> tuple[Any, Any]:
+def cosine_and_sine(ring: Ring, angle: object) -> tuple[Scalar, Scalar]:
     """Return cos and sin of an angle in radians, over RDF of an array too."""
     if has_angles(ring):
-        pair: tuple[Any, Any] = ring.cosine_and_sine_of(angle)
-        return pair
+        return ring.cosine_and_sine_of(angle)
     if ring.is_exact:
         functions, theta = RealFunctions(ring, (angle,) * 4), ring(angle)
         return functions.cos(theta), functions.sin(theta)
@@ -268,7 +276,7 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
         return float_functions.value(ring, c, q, float_functions.LOG)
     of = RealFunctions(ring, q)
 
-    def real(x: Any) -> Any:
+    def real(x: Scalar) -> Scalar:
         if ring.sign(x) <= 0:
             raise NoSolutionError(no_value(", ".join(map(ring.text, q)), "principal logarithm"))
         return of.log(x)
