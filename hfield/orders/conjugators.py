@@ -2,9 +2,9 @@
 
 An isomorphism of orders is a conjugation (Skolem and Noether), hence an isometry of the trace-0 parts of
 ``R + 2O``. Conversely such an isometry, times −1 if it turns the orientation, is a conjugation that maps one
-order onto the other (Voight, *Quaternion Algebras*, chapter 22). :func:`conjugator` chooses between three
-ways: all reduced bases of these lattices over ℤ, the images of two elements over ℤ_K, and connecting ideals
-over 𝔽_q[t].
+order onto the other (Voight, *Quaternion Algebras*, chapter 22). There are three ways, of which the
+kernels of a base choose one: the images of two elements, over ℤ all reduced bases of these lattices, and
+over 𝔽_q[t], where 2 may be 0, connecting ideals.
 """
 
 from __future__ import annotations
@@ -39,11 +39,7 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
-    if first.ambient.base.is_polynomial:
-        return by_connecting_ideals(first, second)
-    if first.ambient.kernels.reduces_ternary_forms:
-        return by_reduced_bases(first, second)
-    return by_two_images(first, second)
+    return first.ambient.kernels.conjugator(first, second)
 
 
 def by_connecting_ideals(

@@ -19,7 +19,7 @@ from itertools import islice
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.fuchsian.search import element_of_norm, split_order
-from hfield.orders import certificates, enumeration, hermite, ideal_products
+from hfield.orders import certificates, enumeration, hermite
 from hfield.orders.base import Base
 from hfield.orders.base_values import BaseIdeal, BaseNumber
 from hfield.orders.invariants import has_all_unit_norms
@@ -71,8 +71,10 @@ def _between(
     if not invertible:
         return colon(second, first, "left" if side == "right" else "right")
     bar = conjugate(first)
-    found = ideal_products.product(*((second, bar) if side == "right" else (bar, second)), order)
-    return times_ideal(found, first.ambient.base.inverse(first.norm))
+    ambient = first.ambient
+    pair = (second, bar) if side == "right" else (bar, second)
+    found = ambient.kernels.ideal_product(*pair, order)
+    return times_ideal(found, ambient.base.inverse(first.norm))
 
 
 def element_generating(

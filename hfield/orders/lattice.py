@@ -39,7 +39,6 @@ from hfield.orders import (
     foreign_writing,
     generated_orders,
     ideal_generators,
-    ideal_products,
     ideals_of_norm,
     invariants,
     isomorphism,
@@ -1139,8 +1138,8 @@ class Ideal(Certified, Lattice):
         if self.side != "right":
             return Ideal.of(super().__mul__(other), "left", self._order)
         if isinstance(other, Ideal) and other.side == "left" and self.order == other.order:
-            pair = self.value, other.value
-            return Ideal(ideal_products.product(*pair, self.order.value), "right")
+            product = self.value.ambient.kernels.ideal_product
+            return Ideal(product(self.value, other.value, self.order.value), "right")
         known = other._order if isinstance(other, Ideal) and other.side == "right" else None
         return Ideal.of(super().__mul__(other), "right", known)
 

@@ -9,7 +9,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import LatticeError, TooLargeError
-from hfield.orders.ideal_products import modulo_norm
+from hfield.orders.kernels.ideal_products import modulo_norm
 from hfield.orders.lattice import Lattice
 from tests.orders.brandt_by_theta import by_theta_series
 from tests.orders.random_lattices import algebra, element

@@ -51,7 +51,11 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
                 *general.order_rows(*given)
             )
         order = lattice_values.colon(L, L, "left")
-        left = lattice_values.generated_ideal(order, [L.basis[0] + 3 * L.basis[2] + 2], "left")
+        element = L.basis[0] + 3 * L.basis[2] + 2
+        left = lattice_values.generated_ideal(order, [element], "left")
+        right = lattice_values.generated_ideal(order, [element, L.basis[1]], "right")
+        given = (right, left, order)
+        assert rank4.ideal_product(*given) == general.ideal_product(*given)
         for ideal in (L, left):
             found = rank4.is_locally_principal(ideal, order)
             assert found == general.is_locally_principal(ideal, order)

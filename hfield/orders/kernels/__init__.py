@@ -1,7 +1,7 @@
 """Choose between the functions for any base and their faster variants over ℤ.
 
 ``general`` has every function for any rank 4n; ``rank4`` has some of them for n = 1, over ℤ. Leaving a
-function out of ``rank4`` changes times only.
+function out of ``rank4`` changes times, and where several answers are right, which of them is found.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from hfield.orders.base_values import BaseIdeal, BaseNumber, ThetaSeries
 from hfield.orders.kernels import general, polynomials, rank4
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.base import Base
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
@@ -38,23 +39,12 @@ class Kernels:
     index: Callable[[LatticeValue, LatticeValue], BaseIdeal]
     order_rows: Callable[[LatticeValue, fmpz_mat], Rows]
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
+    ideal_product: Callable[[LatticeValue, LatticeValue, LatticeValue], LatticeValue]
+    conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
-    reduces_ternary_forms: bool
-    """Whether lattices of rank 3 have few reduced bases, which are listed at once: over ℤ."""
 
     def __init__(self, base: Base) -> None:
         own = rank4 if base.is_rational else polynomials if base.is_polynomial else general
-        self.first_order = getattr(own, "first_order", general.first_order)
-        self.norm = getattr(own, "norm", general.norm)
-        self.content = getattr(own, "content", general.content)
-        self.volume = getattr(own, "volume", general.volume)
-        self.class_forms = getattr(own, "class_forms", general.class_forms)
-        self.index = getattr(own, "index", general.index)
-        self.order_rows = getattr(own, "order_rows", general.order_rows)
-        self.is_locally_principal = getattr(
-            own, "is_locally_principal", general.is_locally_principal
-        )
-        self.combination = getattr(own, "combination", general.combination)
-        self.theta_series = getattr(own, "theta_series", general.theta_series)
-        self.reduces_ternary_forms = base.is_rational
+        for name in Kernels.__annotations__:
+            setattr(self, name, getattr(own, name, getattr(general, name)))

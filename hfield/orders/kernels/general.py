@@ -18,6 +18,7 @@ from hfield.orders.domains import domain_of
 from hfield.orders.hermite import divided, hermite, stacked, tuples
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -129,6 +130,20 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
     index = volume(ideal.ambient, ideal.matrix, ideal.den)
     whole = volume(order.ambient, order.matrix, order.den)
     return bool(index == ideal.norm * ideal.norm * whole)
+
+
+def ideal_product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
+    """Return ``first·second`` for a right ideal and a left ideal of an order."""
+    from hfield.orders import lattice_values
+
+    return lattice_values.product(first, second)
+
+
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
+    """Return x with x·O·x⁻¹ = O' for definite orders of one discriminant, or None and why there is none."""
+    from hfield.orders.conjugators import by_two_images
+
+    return by_two_images(first, second)
 
 
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:

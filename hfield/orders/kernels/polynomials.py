@@ -12,9 +12,11 @@ from hfield.orders.base import Counts
 if TYPE_CHECKING:
     from flint import fmpz_mat, fq_default_poly
 
+    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.base_values import BaseNumber, Integer, ThetaSeries
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
+    from hfield.orders.lattice_values import LatticeValue
 
 
 def class_forms(
@@ -22,6 +24,13 @@ def class_forms(
 ) -> list[fmpz_mat]:
     """Return the forms themselves: only degrees are compared, and units and ν make no difference."""
     return grams
+
+
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
+    """Find one by connecting ideals: where 2 is 0 there is no trace-0 lattice in R + 2O."""
+    from hfield.orders.conjugators import by_connecting_ideals
+
+    return by_connecting_ideals(first, second)
 
 
 def theta_series(

@@ -12,8 +12,10 @@ from hfield.core.product import Constants
 from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import enumeration
 from hfield.orders.hermite import integral
+from hfield.orders.kernels import general
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -61,6 +63,20 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
     content, scale = ideal.content, order.den**4 * ideal.ambient.scale**2
     index = _determinant(ideal.matrix) * scale
     return bool(index == content * content * _determinant(order.matrix))
+
+
+def ideal_product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
+    """Return the product by linear algebra modulo the norm of a locally principal second ideal."""
+    from hfield.orders.kernels.ideal_products import modulo_norm
+
+    return modulo_norm(first, second, order) or general.ideal_product(first, second, order)
+
+
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
+    """Find one by the reduced bases of the trace-0 lattices, of which there are few."""
+    from hfield.orders.conjugators import by_reduced_bases
+
+    return by_reduced_bases(first, second)
 
 
 def _determinant(matrix: fmpz_mat) -> fmpz:

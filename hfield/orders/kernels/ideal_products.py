@@ -19,18 +19,11 @@ from hfield.orders.lattice_values import LatticeValue
 PAIRS = list(combinations(range(4), 2))
 
 
-def product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
-    """Return ``first·second`` for a right ideal and a left ideal of an order."""
-    return modulo_norm(first, second, order) or lattice_values.product(first, second)
-
-
 def modulo_norm(
     first: LatticeValue, second: LatticeValue, order: LatticeValue
 ) -> LatticeValue | None:
-    """Return the product by linear algebra modulo the norm, or None if the method does not apply."""
+    """Return ``first·second`` for a right and a left ideal of an order over ℤ; None where this fails."""
     r = first.ambient
-    if not r.base.is_rational:
-        return None
     n = _index_root(second, order)
     # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
     if n is None or not hermite.contains(second.den, second.matrix, 1, (int(n), 0, 0, 0)):
