@@ -306,6 +306,11 @@ class AlgebraBasis:
         return self.base.is_definite(self.constants)
 
     @cached_property
+    def has_majorant(self) -> bool:
+        """Whether bases are reduced: in definite algebras, and over ℚ and the field of degree 1 in all."""
+        return self.definite or (self.degree == 1 and bool(self.base.real_places))
+
+    @cached_property
     def majorant(self) -> fmpz_mat:
         """A positive definite form on the rows that Tr(N(x)) does not exceed, up to a scale.
 
@@ -313,7 +318,7 @@ class AlgebraBasis:
         """
         if self.definite:
             return self.trace_form
-        if self.degree > 1 or not self.base.real_places:
+        if not self.has_majorant:
             raise IndefiniteError(
                 f"{self.algebra} is not totally definite: over a field other than QQ bases are reduced in "
                 "totally definite algebras"

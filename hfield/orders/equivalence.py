@@ -119,9 +119,9 @@ def _norms_text(base: Base, norms: Sequence[BaseNumber]) -> str:
 
 
 def _among_short(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaternion | None:
-    """Return an element of norm ±n, if one is among short vectors, over the field of degree 1."""
+    """Return an element of norm ±n, if one is among short vectors for a majorant of the norm."""
     ambient = lattice.ambient
-    if ambient.degree > 1:
+    if not ambient.has_majorant:
         return None
     wanted = multiple_of_content(lattice, abs(ambient.base.trace(norms[0])))
     rows, _ = lattice.reduced
@@ -143,6 +143,5 @@ def _in_the_plane(
 ) -> Quaternion | None:
     """Return an element of one of these norms that is short from some point of the plane."""
     split = split_order(order)
-    short = lattice.ambient.degree == 1
-    basis = lattice.elements(lattice.reduced[0]) if short else lattice.basis
+    basis = lattice.elements(lattice.short_rows)
     return next((q for x in norms if (q := element_of_norm(split, basis, x)) is not None), None)

@@ -55,9 +55,8 @@ def two_generators(
 def _rows(ideal: LatticeValue) -> Iterator[tuple[int, ...]]:
     """Yield the elements of a basis, reduced where it can be, and then random ones of growing size."""
     ambient, rng = ideal.ambient, random.Random(0)
-    reduced = ideal.reduced[0] if ambient.definite or ambient.degree == 1 else ideal.matrix
-    yield from hermite.tuples(reduced)
+    yield from hermite.tuples(ideal.short_rows)
     for trial in range(MAX_TRIALS):
         size = 1 + trial // 50
         row = [rng.randint(-size, size) for _ in range(ambient.size)]
-        yield hermite.combination(row, reduced)
+        yield hermite.combination(row, ideal.short_rows)

@@ -153,6 +153,11 @@ class LatticeValue:
             reduced = steps * gram * steps.transpose()
         return steps * self.matrix, list(map(list, hermite.tuples(reduced)))
 
+    @property
+    def short_rows(self) -> fmpz_mat:
+        """The rows of a basis: a reduced one where the algebra has a form for that (``has_majorant``)."""
+        return self.reduced[0] if self.ambient.has_majorant else self.matrix
+
     @cached_property
     def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
         """The elements 2x − tr(x), of an order those of trace 0 in R + 2O (Voight, chapter 22).

@@ -255,11 +255,9 @@ def _of_trace_zero(order: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
     tables = multiplications(ambient, rows)
     for v in enumeration.vectors_of_length(gram, int(length.p), "elements of norm at most"):
         vector = fmpz_mat([list(v)])
-        row = (vector * rows) * fmpq(1, den)
-        if n > 1 and ambient.norm(row.entries()) != norm:
-            continue
-        if is_primitive(vector, tables):
-            yield row
+        row = vector * rows
+        if ambient.kernels.has_norm(ambient, den, row, norm) and is_primitive(vector, tables):
+            yield row * fmpq(1, den)
 
 
 def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:

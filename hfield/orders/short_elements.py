@@ -122,11 +122,10 @@ def _rows(
 ) -> Iterator[fmpz_mat]:
     gram, basis, length = form
     ambient, domain = lattice.ambient, lattice.ambient.domain
-    below = domain.fraction(1, lattice.den)
+    has_norm = ambient.kernels.has_norm
     for x in domain.vectors.vectors_of_length(gram, length, expected):
         row = domain.matrix(1, len(x), x) * basis
-        # over ℤ the form is the norm
-        if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
+        if has_norm(ambient, lattice.den, row, norm):
             yield row
 
 
@@ -137,11 +136,10 @@ def first_of_norm(lattice: LatticeValue, norm: BaseNumber) -> fmpz_mat | None:
         return None
     gram, basis, length = form
     ambient, domain = lattice.ambient, lattice.ambient.domain
-    below = domain.fraction(1, lattice.den)
     for n in range(len(gram)):  # in a reduced basis a vector of least length is usually there
         if gram[n][n] == length:
             row = domain.matrix([basis.tolist()[n]])
-            if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
+            if ambient.kernels.has_norm(ambient, lattice.den, row, norm):
                 return row
     return next(_rows(lattice, norm, form), None)
 

@@ -5,7 +5,7 @@ from random import Random
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders import generated_orders, hermite, lattice_values, maximal_orders
+from hfield.orders import generated_orders, hermite, lattice_values, maximal_orders, short_elements
 from hfield.orders.kernels import general, rank4
 from hfield.orders.lattice_values import LatticeValue
 from tests.orders.random_lattices import algebra
@@ -67,6 +67,12 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
         if ambient.definite:
             theta = (ambient, L.den, *L.reduced, L.content, L.norm, 12)
             assert rank4.theta_series(*theta) == general.theta_series(*theta)
+            x = order.basis[0] + 2 * order.basis[1]
+            rows = list(short_elements.rows_of_norm(order, ambient.base.inside(x.norm())))
+            assert ambient.row(x) in rows or -ambient.row(x) in rows
+            for row in rows:
+                given = (ambient, order.den, (row * order.den).numer_denom()[0], x.norm())
+                assert rank4.has_norm(*given) == general.has_norm(*given) is True
             definite += 1
             den, rows, gram = order.reduced_ternary
             theta = (ambient, den, rows, gram, fmpz(ambient.scale * den**2), Fraction(1), 12)

@@ -120,6 +120,17 @@ def test_ideals_satisfy_the_laws_of_multiplication(field: str, places: list[str]
     assert I.index(I & K) == (I + K).index(K)
 
 
+@pytest.mark.parametrize("constants", [("t", "t^2+1"), (2, "t^2+t")])
+def test_two_generators_in_algebras_that_split_at_infinity(constants: tuple[Any, Any]) -> None:
+    """No form reduces bases there."""
+    A = QuaternionAlgebra(ring("GF(3)(t)"), *constants)
+    O = A.maximal_order()
+    assert not O.is_definite()
+    for I in (*O.ideals_of_norm("t+2", side="left"), O.left_ideal(["t"])):
+        n, x = I.generators
+        assert O.left_ideal([n.generator, x]) == I
+
+
 def test_elements_of_given_norm_against_brute_force() -> None:
     # the norm on 1, i, j, k is w² − ε·x² − P·(y² − ε·z²), anisotropic at infinity, for ε = −1
     O = QuaternionAlgebra.from_ramification("GF(3)(t)", ["t^3+2*t+1", "inf"]).maximal_order()

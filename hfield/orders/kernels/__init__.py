@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders.base_values import BaseIdeal, BaseNumber, ThetaSeries
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer, IntegerMatrix, ThetaSeries
 from hfield.orders.kernels import general, polynomials, rank4
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ class Kernels:
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
     ideal_product: Callable[[LatticeValue, LatticeValue, LatticeValue], LatticeValue]
     conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
+    has_norm: Callable[[AlgebraBasis, Integer, IntegerMatrix, BaseNumber], bool]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
 

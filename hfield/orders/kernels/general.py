@@ -13,7 +13,7 @@ from flint import fmpz, fmpz_mat
 from hfield.errors import TooLargeError
 from hfield.orders import enumeration
 from hfield.orders.base import Counts
-from hfield.orders.base_values import BaseIdeal, BaseNumber, ThetaSeries
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer, IntegerMatrix, ThetaSeries
 from hfield.orders.domains import domain_of
 from hfield.orders.hermite import divided, hermite, stacked, tuples
 
@@ -144,6 +144,12 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     from hfield.orders.conjugators import by_two_images
 
     return by_two_images(first, second)
+
+
+def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
+    """Tell whether a row over ``den`` has a norm ν, where Tr(N(x)/ν) is the degree of the field."""
+    x = row * ambient.domain.fraction(1, den)
+    return bool(ambient.norm(x.entries()) == norm)
 
 
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:

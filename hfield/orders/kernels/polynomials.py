@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from flint import fmpz_mat, fq_default_poly
 
     from hfield.algebra.quaternion import Quaternion
-    from hfield.orders.base_values import BaseNumber, Integer, ThetaSeries
+    from hfield.orders.base_values import BaseNumber, Integer, IntegerMatrix, ThetaSeries
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
@@ -31,6 +31,11 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     from hfield.orders.conjugators import by_connecting_ideals
 
     return by_connecting_ideals(first, second)
+
+
+def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
+    """Return True: in degree 1 the value of the form is the norm."""
+    return True
 
 
 def theta_series(

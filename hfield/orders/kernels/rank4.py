@@ -16,6 +16,7 @@ from hfield.orders.kernels import general
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
+    from hfield.orders.base_values import BaseNumber, Integer, IntegerMatrix
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -77,6 +78,11 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     from hfield.orders.conjugators import by_reduced_bases
 
     return by_reduced_bases(first, second)
+
+
+def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
+    """Return True: in degree 1 the value of the form is the norm."""
+    return True
 
 
 def _determinant(matrix: fmpz_mat) -> fmpz:
