@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
-from hfield.orders.invariants import eichler_symbol, level
+from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.short_elements import expect_definite
@@ -79,11 +79,7 @@ def class_number_by_formula(order: LatticeValue) -> int | None:
 
     It is None over other bases, where the formula needs class numbers of quadratic extensions.
     """
-    base = order.ambient.base
-    if not base.is_rational:
-        return None
-    discriminant, n = map(base.absolute_norm, (order.ambient.discriminant, level(order)))
-    return class_number(discriminant, n)
+    return order.ambient.kernels.class_number_by_formula(order)
 
 
 def _roots(d: int, p: int, e: int) -> int:

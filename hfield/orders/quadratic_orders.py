@@ -319,19 +319,23 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
     ):
         return None
     rng = Random(0 if seed is None else seed)
-    if base.is_rational:
-        return _represent_rational(order, int(base.trace(norm).p), rng)
+    return ambient.kernels.element_of_large_norm(order, norm, rng)
+
+
+def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion:
+    """Return an element of a norm, a generator of a random ideal. Raises :class:`UndecidedError`."""
+    base = order.ambient.base
     for ideal in _random_ideals(order, norm, rng):
         x = _first_of_norm(ideal, norm)
         if x is not None:
             return x
     raise UndecidedError(
-        f"whether the norm of an element is {shorten(n)} was not decided: no prime rules it out, and of "
-        f"{TRIALS} random ideals of this norm none has such a generator"
+        f"whether the norm of an element is {shorten(base.outside(norm))} was not decided: no prime rules "
+        f"it out, and of {TRIALS} random ideals of this norm none has such a generator"
     )
 
 
-def _represent_rational(order: LatticeValue, n: int, rng: Random) -> Quaternion | None:
+def in_quadratic_orders(order: LatticeValue, n: int, rng: Random) -> Quaternion | None:
     """Return the same for an order over ℤ; by all means where its discriminant is small."""
     found = element_of_large_norm(order, n, rng)
     if found is not None:

@@ -5,6 +5,7 @@ from random import Random
 
 from flint import fmpz, fmpz_mat
 
+from hfield import QuaternionAlgebra
 from hfield.orders import generated_orders, hermite, lattice_values, maximal_orders, short_elements
 from hfield.orders.kernels import general, rank4
 from hfield.orders.lattice_values import LatticeValue
@@ -82,3 +83,15 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
     names = {name for name in vars(rank4) if callable(getattr(rank4, name)) and name.islower()}
     own = {name for name in names if getattr(rank4, name).__module__ == rank4.__name__}
     assert {name for name in own if name[0] != "_"} <= set(vars(general))
+
+
+def test_elements_of_large_norm_without_and_with_a_kernel() -> None:
+    rng = Random(3)
+    for d in (2, 11, 30, 101):
+        order = QuaternionAlgebra(d).maximal_order().value
+        for n in (d, 10**9 + 7, 15 * (10**12 + 39)):
+            for kernel in (rank4.element_of_large_norm, general.element_of_large_norm):
+                x = kernel(order, order.ambient.base.inside(n), rng)
+                assert x is not None
+                assert x.norm() == n
+                assert lattice_values.contains(order, x)

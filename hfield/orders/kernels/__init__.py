@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from random import Random
 from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
@@ -42,6 +43,8 @@ class Kernels:
     ideal_product: Callable[[LatticeValue, LatticeValue, LatticeValue], LatticeValue]
     conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
     has_norm: Callable[[AlgebraBasis, Integer, IntegerMatrix, BaseNumber], bool]
+    element_of_large_norm: Callable[[LatticeValue, BaseNumber, Random], Quaternion | None]
+    class_number_by_formula: Callable[[LatticeValue], int | None]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
 

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from operator import mul
+from random import Random
 from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
@@ -147,9 +148,24 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
 
 
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
-    """Tell whether a row over ``den`` has a norm ν, where Tr(N(x)/ν) is the degree of the field."""
+    """Return whether a row over ``den`` has a norm ν, where Tr(N(x)/ν) is the degree of the field."""
     x = row * ambient.domain.fraction(1, den)
     return bool(ambient.norm(x.entries()) == norm)
+
+
+def element_of_large_norm(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
+    """Return an element of a norm that no prime obstructs, or None where it is proved that there is none.
+
+    Raises :class:`UndecidedError`.
+    """
+    from hfield.orders.quadratic_orders import in_random_ideals
+
+    return in_random_ideals(order, norm, rng)
+
+
+def class_number_by_formula(order: LatticeValue) -> int | None:
+    """Return None: the formula needs class numbers of quadratic extensions of the field."""
+    return None
 
 
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:

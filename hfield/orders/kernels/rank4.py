@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from random import Random
 from typing import TYPE_CHECKING
 
-from flint import fmpz, fmpz_mat, fmpz_poly
+from flint import fmpq, fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.product import Constants
 from hfield.fields.rationals.whole_numbers import fraction
@@ -83,6 +84,22 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
     """Return True: in degree 1 the value of the form is the norm."""
     return True
+
+
+def element_of_large_norm(order: LatticeValue, norm: fmpq, rng: Random) -> Quaternion | None:
+    """Find one in the frame of a quadratic order; by all means where the discriminant is small."""
+    from hfield.orders.quadratic_orders import in_quadratic_orders
+
+    return in_quadratic_orders(order, int(norm.p), rng)
+
+
+def class_number_by_formula(order: LatticeValue) -> int:
+    """Return the number of right ideal classes of a definite Eichler order, by Eichler's formula."""
+    from hfield.orders.invariants import level
+    from hfield.orders.mass_formula import class_number
+
+    norm = order.ambient.base.absolute_norm
+    return class_number(norm(order.ambient.discriminant), norm(level(order)))
 
 
 def _determinant(matrix: fmpz_mat) -> fmpz:
