@@ -26,6 +26,7 @@ from hfield.orders.lattice_values import (
     scalars_into,
     times_ideal,
 )
+from hfield.orders.validation import expect_number_field
 
 MAX_IDEALS = 10_000
 """Products of a class of ideals and of two-sided primes, at most."""
@@ -192,11 +193,11 @@ class SplitOrder:
 def _expect_one_split_place(order: LatticeValue) -> None:
     """Raise :class:`IndefiniteError` unless the field is totally real and one real place splits."""
     ambient, base = order.ambient, order.ambient.base
-    if base.is_polynomial:
-        raise IndefiniteError(
-            f"units of an order in {shorten(order.algebra)} are not motions of the hyperbolic plane: "
-            "norm_one_group() is for orders over ℤ and the integers of totally real fields"
-        )
+    error = IndefiniteError(
+        f"units of an order in {shorten(order.algebra)} are not motions of the hyperbolic plane: "
+        "norm_one_group() is for orders over ℤ and the integers of totally real fields"
+    )
+    expect_number_field(base, error)
     if ambient.definite:
         raise IndefiniteError(
             f"the units of an order in {order.algebra}, which is definite, are finitely many modulo numbers: "

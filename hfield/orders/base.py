@@ -72,6 +72,11 @@ PrimeT = TypeVar("PrimeT", bound=Prime)
 ResidueT = TypeVar("ResidueT", bound=Residue)
 
 
+SPLIT = "is indefinite, split at a real place"
+NOT_TOTALLY_REAL = "is indefinite, as its field is not totally real"
+TOTALLY_DEFINITE = "a totally definite algebra, a < 0 and b < 0 where t = 0"
+
+
 class QuaternionBasis(NamedTuple, Generic[NumberT]):
     """Constants of ``I² = a + t·I, J² = b`` in the field of the base, and coordinates over 1, I, J, IJ.
 
@@ -143,6 +148,11 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return whether an algebra ramifies at all infinite places."""
 
     is_totally_real: bool
+
+    why_indefinite: str
+    """What errors say of an algebra over this base that is not definite."""
+    definite_algebra: str
+    """What errors expect in its place."""
     real_places: tuple[int, ...]
     """The numbers of the real places."""
 
@@ -353,6 +363,8 @@ class RationalIntegers:
     lists_all_units = True
     is_polynomial = False
     is_totally_real = True
+    why_indefinite = SPLIT
+    definite_algebra = TOTALLY_DEFINITE
     real_places: tuple[int, ...] = (0,)
     one = 1
 
@@ -617,9 +629,11 @@ class NumberFieldIntegers:
         self.degree = self.field.degree
         self.integral_basis: tuple[FieldElement, ...] = self.field.integral_basis()
         self.is_totally_real = self.field.signature == (self.degree, 0)
+        self.why_indefinite = SPLIT if self.is_totally_real else NOT_TOTALLY_REAL
         self.real_places = tuple(range(self.field.signature[0]))
 
     symbol = "ℤ_K"
+    definite_algebra = TOTALLY_DEFINITE
     domain = INTEGERS
     is_rational = False
     lists_all_units = False

@@ -50,6 +50,7 @@ from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
 from hfield.orders.positive_generators import totally_positive_generator
 from hfield.orders.short_elements import reduced
+from hfield.orders.validation import expect_rational
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -234,10 +235,8 @@ def of_embedding_orbits(
 
 
 def _expect_rational_base(order: LatticeValue) -> None:
-    if not order.ambient.base.is_rational:
-        raise LatticeError(
-            "embeddings are certified over ℤ only, where statements about them exist"
-        )
+    error = LatticeError("embeddings are certified over ℤ only, where statements about them exist")
+    expect_rational(order.ambient.base, error)
 
 
 def of_newforms(

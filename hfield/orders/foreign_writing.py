@@ -8,6 +8,7 @@ from hfield.core.product import Coordinates
 from hfield.errors import LatticeError, RingError
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import free_basis, pseudo_basis
+from hfield.orders.validation import expect_rational
 from hfield.syntax.other_systems import OtherSystemWriter
 
 Basis = list[Coordinates]
@@ -69,8 +70,9 @@ def _basis(lattice: LatticeValue, writer: OtherSystemWriter) -> Basis:
 
 def _expect_rational(lattice: LatticeValue, writer: OtherSystemWriter, what: str) -> None:
     """Raise :class:`RingError` for Sage over other fields than ℚ."""
-    if writer.system == "sage" and not lattice.ambient.base.is_rational:
-        raise RingError(
-            f"{what} are not written for Sage over {lattice.algebra.ring.name}: Sage has them over QQ; "
-            "text_for('magma') writes them, and so does text_for('pari') by a basis over ZZ"
-        )
+    error = RingError(
+        f"{what} are not written for Sage over {lattice.algebra.ring.name}: Sage has them over QQ; "
+        "text_for('magma') writes them, and so does text_for('pari') by a basis over ZZ"
+    )
+    if writer.system == "sage":
+        expect_rational(lattice.ambient.base, error)

@@ -22,6 +22,7 @@ from hfield.orders.invariants import is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, spanned
 from hfield.orders.standard_orders import eichler_order
 from hfield.orders.ternary_forms import TernaryForm, form_of_order, read_form
+from hfield.orders.validation import expect_rational
 
 _EXPECTED = "a label is a ternary form such as 'x²+y²+3·z²+y·z', or D.N such as '6.5'"
 
@@ -60,8 +61,7 @@ def order_of_label(algebra: Parent, text: str) -> LatticeValue:
     another algebra, and :class:`UndecidedError` over another field than ℚ.
     """
     ambient = basis_of(algebra)
-    if not ambient.base.is_rational:
-        raise _no_label(f"of orders over {ambient.base.symbol}")
+    expect_rational(ambient.base, _no_label(f"of orders over {ambient.base.symbol}"))
     if not isinstance(text, str):
         raise NotationError(f"{shorten(repr(text))} is not a text: {_EXPECTED}")
     indefinite = re.fullmatch(r"\s*([0-9]{1,4000})\.([0-9]{1,4000})\s*", text)

@@ -77,7 +77,7 @@ from hfield.orders.stable_classes import (
     stable_classes,
 )
 from hfield.orders.ternary_forms import TernaryForm
-from hfield.orders.validation import checked_side, listed, natural, positive
+from hfield.orders.validation import checked_side, expect_rational, listed, natural, positive
 from hfield.orders.validation import prime as checked_prime
 from hfield.orders.validation import weight as checked_weight
 from hfield.orders.weighted_functions import WeightedFunctions
@@ -1446,11 +1446,13 @@ class EquivalentIdeal(Ideal):
 
 def _expect_rational(lattice: Lattice, what: str) -> None:
     """Raise :class:`LatticeError` where the base is not ℤ."""
-    if not lattice.value.ambient.base.is_rational:
-        raise LatticeError(
+    expect_rational(
+        lattice.value.ambient.base,
+        LatticeError(
             f"{what} is defined for orders over ZZ and their ideals, and this algebra is over "
             f"{lattice.algebra.ring.name}: there norms are ideals, which need not be principal"
-        )
+        ),
+    )
 
 
 def _is_scalar(x: object) -> bool:

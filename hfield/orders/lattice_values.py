@@ -21,7 +21,7 @@ from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import AlgebraBasis, basis_of
 from hfield.orders.kernels.general import ideal_multiples
-from hfield.orders.validation import listed
+from hfield.orders.validation import expect_number_field, listed
 
 
 class LatticeValue:
@@ -166,11 +166,11 @@ class LatticeValue:
         is integral for an order.
         """
         ambient, n = self.ambient, self.ambient.degree
-        if ambient.base.is_polynomial:
-            raise LatticeError(
-                f"ternary forms exist for orders over ℤ and the integers of number fields, not over "
-                f"{ambient.base.symbol}, where 2 may be 0"
-            )
+        error = LatticeError(
+            "ternary forms exist for orders over ℤ and the integers of number fields, not over "
+            f"{ambient.base.symbol}, where 2 may be 0"
+        )
+        expect_number_field(ambient.base, error)
         rank = 3 * n
         vectors = fmpz_mat([row[n:] for row in self.matrix.tolist()]).hnf().tolist()[:rank]
         without_scalars = fmpz_mat([[0] * n + row for row in vectors])

@@ -61,6 +61,8 @@ class PolynomialBase:
     lists_all_units = False
     is_polynomial = True
     is_totally_real = False
+    why_indefinite = "splits at infinity"
+    definite_algebra = "an algebra that ramifies there"
     real_places: tuple[int, ...] = ()
     class_generators: tuple[FunctionFieldIdeal, ...] = ()
 

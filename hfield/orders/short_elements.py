@@ -32,19 +32,9 @@ def expect_definite(ambient: AlgebraBasis, what: str) -> None:
     """Raise :class:`IndefiniteError` unless the algebra is totally definite."""
     if ambient.definite:
         return
-    algebra = shorten(ambient.algebra)
-    if ambient.base.is_polynomial:
-        raise IndefiniteError(
-            f"{algebra} splits at infinity, so infinitely many elements may have one norm: {what} needs an "
-            "algebra that ramifies there"
-        )
-    if not ambient.base.is_totally_real:
-        why = f"{shorten(algebra)} is indefinite, as its field is not totally real"
-    else:
-        why = f"{algebra} is indefinite, split at a real place"
     raise IndefiniteError(
-        f"{why}, so infinitely many elements may have one norm: {what} needs a totally definite algebra, "
-        "a < 0 and b < 0 where t = 0"
+        f"{shorten(ambient.algebra)} {ambient.base.why_indefinite}, so infinitely many elements may have "
+        f"one norm: {what} needs {ambient.base.definite_algebra}"
     )
 
 

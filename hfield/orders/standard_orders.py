@@ -27,7 +27,7 @@ from hfield.orders.generated_orders import generated
 from hfield.orders.lattice_values import LatticeValue, discriminant, hermite_form
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.maximal_orders import eichler_suborder, overorder
-from hfield.orders.validation import expect_coprime, positive
+from hfield.orders.validation import expect_coprime, expect_rational, positive
 
 
 def maximal_order(algebra: Parent) -> LatticeValue:
@@ -143,10 +143,12 @@ def extremal_order(algebra: Parent, q: object = None) -> LatticeValue:
     Raises :class:`LatticeError` for another algebra, and where there is no such order.
     """
     r = basis_of(algebra)
-    if not (r.base.is_rational and r.definite) or len(r.ramified) != 1:
-        raise LatticeError(
-            f"{algebra} has no p-extremal order: expected a definite algebra over QQ of prime discriminant"
-        )
+    error = LatticeError(
+        f"{algebra} has no p-extremal order: expected a definite algebra over QQ of prime discriminant"
+    )
+    expect_rational(r.base, error)
+    if not r.definite or len(r.ramified) != 1:
+        raise error
     p = r.base.absolute_norm(r.discriminant)
     size = quadratic_part(p) if q is None else positive(q, "number q of a p-extremal order")
     if q is not None:

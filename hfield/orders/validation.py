@@ -4,13 +4,29 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_prime
-from hfield.errors import LatticeError, shorten
+from hfield.errors import HFieldError, LatticeError, shorten
 from hfield.fields.base.coercion import rational
+
+if TYPE_CHECKING:
+    from hfield.orders.base import Base
+
+
+def expect_rational(base: Base, error: HFieldError) -> None:
+    """Raise an error, which says what is for orders over ℤ alone, over another base."""
+    if not base.is_rational:
+        raise error
+
+
+def expect_number_field(base: Base, error: HFieldError) -> None:
+    """Raise an error, which says what is for ℤ and the integers of number fields, over 𝔽_q[t]."""
+    if base.is_polynomial:
+        raise error
 
 
 def listed(elements: object) -> list[object]:
