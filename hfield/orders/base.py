@@ -130,6 +130,8 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     """Whether units of orders are listed, as over ℤ, and not their cosets of those of the base."""
     symbol: str
     """How the ring is written."""
+    vocabulary: str
+    """How certificates write statements: in words for ``"integers"``, a ``"field"`` or ``"polynomials"``."""
 
     @property
     def domain(self) -> EuclideanDomain:
@@ -358,6 +360,7 @@ class RationalIntegers:
     degree = 1
     integral_basis: tuple[fmpq, ...] = (fmpq(1),)
     symbol = "ℤ"
+    vocabulary = "integers"
     domain = INTEGERS
     is_rational = True
     lists_all_units = True
@@ -633,6 +636,7 @@ class NumberFieldIntegers:
         self.real_places = tuple(range(self.field.signature[0]))
 
     symbol = "ℤ_K"
+    vocabulary = "field"
     definite_algebra = TOTALLY_DEFINITE
     domain = INTEGERS
     is_rational = False

@@ -8,7 +8,7 @@ vocabularies.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING, ClassVar, Protocol, cast
@@ -143,17 +143,12 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
 
 
 def of_unit_index(order: LatticeValue, number: int) -> CertifiedClaim:
-    """Return the claim of the number of units modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
-    ambient = order.ambient
-    if ambient.base.is_polynomial:
-        about = f"{text(order)}; {number}"
-        words = _OverPolynomials(ambient)
-        return words.claim("unit-index", about, ENUMERATION, order=words.reduced_text(order))
-    shown = {**_units(ambient), "order": _basis(order, ambient.base.field.one)}
-    statement = f"unit-index{{{text(order)}; {number}}}"
-    data = {"kind": "unit-index", **shown}
-    cited = evidence.cited(s_units(ambient.base.ring))
-    return CertifiedClaim(order.algebra, statement, data, ENUMERATION, assumes=cited)
+    """Return how many units there are modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
+    words = _words(order.ambient)
+    shown = words.of_unit_index(order)
+    return words.claim(
+        "unit-index", f"{text(order)}; {number}", ENUMERATION, "proved", None, **shown
+    )
 
 
 def of_units(
@@ -337,6 +332,9 @@ class _Words(Protocol):
     ) -> CertifiedClaim:
         """Return a statement with its evidence."""
 
+    def of_unit_index(self, order: LatticeValue) -> dict[str, object]:
+        """Return what shows how many units there are modulo those of the base."""
+
     def class_set(self, classes: Classes) -> CertifiedClaim:
         """Return how many right ideal classes an order has, with one ideal of each."""
 
@@ -356,11 +354,7 @@ class _Words(Protocol):
 
 
 def _words(ambient: AlgebraBasis) -> _Words:
-    if ambient.base.is_polynomial:
-        return _OverPolynomials(ambient)
-    if ambient.base.is_rational:
-        return _Rational(ambient)
-    return _OverField(ambient)
+    return VOCABULARIES[ambient.base.vocabulary](ambient)
 
 
 class _Rational:
@@ -381,6 +375,11 @@ class _Rational:
 
     def of_mass(self, order: LatticeValue) -> dict[str, object]:
         return {}
+
+    def of_unit_index(self, order: LatticeValue) -> dict[str, object]:
+        raise LatticeError(
+            "there is no statement about the index of units over ℤ, where all units of an order are listed"
+        )
 
     def claim(
         self,
@@ -483,6 +482,9 @@ class _OverField:
     def of_mass(self, order: LatticeValue) -> dict[str, object]:
         return {"basis": self._integral_basis, "primes": _primes(order)}
 
+    def of_unit_index(self, order: LatticeValue) -> dict[str, object]:
+        return {**self._units(), "order": _basis(order, self.ambient.base.field.one)}
+
     def claim(
         self,
         word: str,
@@ -507,10 +509,10 @@ class _OverField:
         order, ring, read = classes.order, self.integers.ring, self.integers.ideal
         shown = {
             "kind": "ideal-classes",
-            **_units(self.ambient),
+            **self._units(),
             "narrow": [_product(ring, read(a)) for a in classes.keys.narrow.ideals],
             "primes": _primes(order),
-            "classes": [_class(classes, n) for n in range(len(classes))],
+            "classes": [self._class(classes, n) for n in range(len(classes))],
         }
         cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
         statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
@@ -531,7 +533,7 @@ class _OverField:
     ) -> Refutation | None:
         ambient = self.ambient
         quotient = self.integers.ideal(second.norm / first.norm)
-        nu, shown = totally_positive_generator(quotient), _units(ambient)
+        nu, shown = totally_positive_generator(quotient), self._units()
         if nu is None:
             return NORM, {**shown, "quotient": _product(self.integers.ring, quotient)}
         if not ambient.definite:
@@ -544,6 +546,22 @@ class _OverField:
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation:
         pair = [self._row(x) for x in two_generators(first)]
         return ENUMERATION, {"pair": pair, "order": _basis(second, self.ambient.base.field.one)}
+
+    def _units(self) -> dict[str, object]:
+        """Return what shows the units of the field."""
+        ring = self.integers.ring
+        units = ring.unit_group().generators
+        shown = evidence.evidence(s_units(ring))
+        return {"units": shown, "fundamental": list(map(ring.coordinates, units))}
+
+    def _class(self, classes: Classes, n: int) -> dict[str, object]:
+        """Return a basis in which short vectors are found quickly, and what generates the norm."""
+        norm, integers = classes.norms[n], self.integers
+        return {
+            **_basis(classes.lattice(n), norm.element),
+            "norm": integers.ring.coordinates(integers.inside(norm.element)),
+            "narrow": norm.number,
+        }
 
 
 class _OverPolynomials:
@@ -571,6 +589,9 @@ class _OverPolynomials:
         base = self.ambient.base
         primes = base.factorisation(discriminant(order))
         return {"primes": [self.size(base.prime_ideal(P)) for P, _ in primes]}
+
+    def of_unit_index(self, order: LatticeValue) -> dict[str, object]:
+        return {"order": self.reduced_text(order)}
 
     def reduced_text(self, lattice: LatticeValue) -> str:
         """Return a reduced basis."""
@@ -622,6 +643,14 @@ class _OverPolynomials:
         return ENUMERATION, {"pair": pair, "order": self.reduced_text(second)}
 
 
+VOCABULARIES: dict[str, Callable[[AlgebraBasis], _Words]] = {
+    "integers": _Rational,
+    "field": _OverField,
+    "polynomials": _OverPolynomials,
+}
+"""The vocabularies, by the names that bases have for them."""
+
+
 def _two_short_generators(order: LatticeValue) -> tuple[Quaternion, Quaternion]:
     """Return two elements of a reduced basis that do not commute."""
     elements = order.elements(order.reduced[0])
@@ -642,21 +671,3 @@ def _product(ring: NumberField, a: FractionalIdeal) -> list[object]:
     """Return x and exponents with a = x·∏P^e, P in S."""
     x, exponents = ring.class_group().factors(a)
     return [x.field.coordinates(x), list(map(int, exponents))]
-
-
-def _units(ambient: AlgebraBasis) -> dict[str, object]:
-    """Return what shows the units of the field."""
-    ring = number_field_integers(ambient.base).ring
-    units = ring.unit_group().generators
-    shown = evidence.evidence(s_units(ring))
-    return {"units": shown, "fundamental": list(map(ring.coordinates, units))}
-
-
-def _class(classes: Classes, n: int) -> dict[str, object]:
-    """Return a reduced basis and a generator of the norm."""
-    norm, integers = classes.norms[n], number_field_integers(classes.ambient.base)
-    return {
-        **_basis(classes.lattice(n), norm.element),
-        "norm": integers.ring.coordinates(integers.inside(norm.element)),
-        "narrow": norm.number,
-    }

@@ -60,6 +60,7 @@ class PolynomialBase:
     is_rational = False
     lists_all_units = False
     is_polynomial = True
+    vocabulary = "polynomials"
     is_totally_real = False
     why_indefinite = "splits at infinity"
     definite_algebra = "an algebra that ramifies there"
