@@ -40,7 +40,7 @@ from hfield.fields.rationals.rational_numbers import RationalNumber, rational_nu
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.fields.rationals.whole_numbers import fraction, square_root
+from hfield.fields.rationals.whole_numbers import fraction, square_root, squarefree
 from hfield.orders import positive_generators, validation
 from hfield.orders.base_values import (
     BaseIdeal,
@@ -309,6 +309,9 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     def square_root(self, x: NumberT) -> BaseNumber | None:
         """Return a square root of an element, as one of ``ring``, or None."""
 
+    def square_factor(self, x: NumberT) -> NumberT:
+        """Return s with x/s² simple: over ℤ squarefree, elsewhere s = 1."""
+
     def short_elements(self, ideal: IdealT, count: int) -> Iterable[NumberT]:
         """Return up to a number of short elements of an ideal; over ℤ its generator."""
 
@@ -523,6 +526,10 @@ class RationalIntegers:
 
     def square_root(self, x: fmpq) -> Fraction | None:
         return square_root(fraction(x))
+
+    def square_factor(self, x: fmpq) -> fmpq:
+        _, s, _ = squarefree(int(x.p * x.q))
+        return fmpq(s, x.q)
 
     def short_elements(self, ideal: Fraction | int, count: int) -> list[fmpq]:
         return [self.inside(ideal)]
@@ -867,6 +874,9 @@ class NumberFieldIntegers:
     def square_root(self, x: FieldElement) -> FieldElement | None:
         found = x.sqrt()
         return None if found is None else self.outside(found)
+
+    def square_factor(self, x: FieldElement) -> FieldElement:
+        return self.field.one
 
     def short_elements(self, ideal: ideals.FractionalIdeal, count: int) -> Iterable[FieldElement]:
         return s_units(self.ring).short(ideal, count)

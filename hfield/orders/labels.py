@@ -20,8 +20,9 @@ from hfield.orders.basis import AlgebraBasis, basis_of
 from hfield.orders.generated_orders import checked_ring
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, spanned
+from hfield.orders.pseudo_bases import basis_modulo_numbers
 from hfield.orders.standard_orders import eichler_order
-from hfield.orders.ternary_forms import TernaryForm, form_of_order, read_form
+from hfield.orders.ternary_forms import TernaryForm, form_of, read_form
 from hfield.orders.validation import expect_rational
 
 _EXPECTED = "a label is a ternary form such as 'x²+y²+3·z²+y·z', or D.N such as '6.5'"
@@ -35,11 +36,10 @@ def expect_labels(ambient: AlgebraBasis) -> None:
 
 def reduced_form(order: LatticeValue) -> TernaryForm:
     """Return the reduced ternary form of a definite order over ℤ."""
-    form = form_of_order(order)
-    if order.ambient.base.is_rational:
-        return form
-    numbers = map(order.ambient.base.as_rational, map(order.ambient.base.inside, form.coefficients))
-    return TernaryForm(QQ, numbers, type(order.algebra)).reduced()  # over the field of degree 1
+    base, algebras = order.ambient.base, type(order.algebra)
+    form = form_of(basis_modulo_numbers(order), algebras)
+    numbers = map(base.as_rational, map(base.inside, form.coefficients))
+    return TernaryForm(QQ, numbers, algebras).reduced()
 
 
 def label(order: LatticeValue) -> str:

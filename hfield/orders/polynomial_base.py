@@ -106,6 +106,9 @@ class PolynomialBase:
     def shown_number(self, x: Integer) -> RationalFunction:
         return self.outside(self.domain.as_fraction(x))
 
+    def square_factor(self, x: RationalFunction) -> RationalFunction:
+        return self.field.one
+
     def square_root(self, x: RationalFunction) -> RationalFunction | None:
         found = self.field.sqrt(x)
         return None if found is None else self.outside(found)

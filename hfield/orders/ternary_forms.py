@@ -20,9 +20,8 @@ from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, Ring
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import Ring, WithIntegers
 from hfield.fields.names import ring as named_ring
-from hfield.fields.number_fields.ideals import integers
 from hfield.fields.rationals.ring import QQ
-from hfield.fields.rationals.whole_numbers import fraction, square_class, squarefree
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.hints import FORM, Hinted
 from hfield.orders.basis import base_of
 from hfield.orders.lattice_values import LatticeValue
@@ -110,11 +109,12 @@ class TernaryForm(Hinted):
         return (2 * a, t, s), (t, 2 * b, r), (s, r, 2 * c)
 
     def is_definite(self) -> bool:
-        """Return whether the field is totally real and the form has no zero but 0 at any real place."""
-        if self.ring != QQ:
-            return bool(self.order().is_definite())
-        a, b, *_, t = map(fraction, self.coefficients)
-        return 4 * a * b > t * t and a * self._sign > 0
+        """Tell whether the field is totally real and the form has no zero but 0 at any real place."""
+        base = base_of(self.ring)
+        a, b, *_, t = self.coefficients
+        minors = [base.inside(x) for x in (4 * a * b - t * t, a * self.discriminant())]
+        signs = (base.sign(x, place) for x in minors for place in base.real_places)
+        return base.is_totally_real and all(sign > 0 for sign in signs)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, TernaryForm):
@@ -148,7 +148,8 @@ class TernaryForm(Hinted):
         F, rows = self.ring, self._orthogonal
         α, β, γ = (self(*row) for row in rows)
         i, j = -α * β, -β * γ  # the squares of f₁f₂ and f₂f₃
-        r, s = self._square_part(i), self._square_part(j)
+        base = base_of(F)
+        r, s = (base.outside(base.square_factor(base.inside(x))) for x in (i, j))
         A = self._algebras(F, i / (r * r), j / (s * s))
         one, I, J, K = A.basis
         I, J, K = I * r, J * s, K * (r * s / β)  # f₁f₂, f₂f₃ and f₁f₃
@@ -165,16 +166,6 @@ class TernaryForm(Hinted):
             return total
 
         return pair(1, 2), pair(2, 0), pair(0, 1)
-
-    def _square_part(self, x: BaseNumber) -> BaseNumber:
-        """Return s with x/s² small: over ℚ a squarefree number, elsewhere integral."""
-        if self.ring == QQ:
-            m, *_ = squarefree(square_class(x))
-            root: BaseNumber | None = self.ring.sqrt(x / m)
-            assert root is not None, "a number over its class modulo squares is a square"
-            return root
-        one: BaseNumber = self.ring.one
-        return one
 
     @cached_property
     def _orthogonal(self) -> Matrix:
@@ -277,7 +268,7 @@ class TernaryForm(Hinted):
             found = orders[kinds.index(kind)].ternary_form()
             u = self.discriminant() / found.discriminant()
             out.append(TernaryForm(self.ring, [u * x for x in found.coefficients], self._algebras))
-        return tuple(form.reduced() if self.ring == QQ else form for form in out)
+        return tuple(map(reduced_over_integers, out))
 
     @property
     def _sign(self) -> int:
@@ -336,9 +327,12 @@ def form_of_order(order: LatticeValue) -> TernaryForm:
 
     Raises :class:`LatticeError` for an order that is no free module.
     """
-    found = form_of(basis_modulo_numbers(order), type(order.algebra))
-    reducible = order.ambient.base.is_rational and order.ambient.definite
-    return found.reduced() if reducible else found
+    return reduced_over_integers(form_of(basis_modulo_numbers(order), type(order.algebra)))
+
+
+def reduced_over_integers(form: TernaryForm) -> TernaryForm:
+    """Return the reduced form of a definite form over ℤ, and another form as it is."""
+    return form.reduced() if form.ring == QQ and form.is_definite() else form
 
 
 def form_of(basis: Triple, algebras: Callable[..., Parent]) -> TernaryForm:
@@ -363,10 +357,8 @@ def dual_basis(basis: Triple) -> tuple[Triple, BaseNumber]:
 
 
 def _is_integer(ring: Ring, x: BaseNumber) -> bool:
-    if ring == QQ:
-        return fraction(x).denominator == 1
-    frame = integers(ring)
-    return bool(frame.field.is_integral(frame.field(x)))
+    base = base_of(ring)
+    return bool(base.coordinate_rows([base.inside(x)]).numer_denom()[1] == 1)
 
 
 def _added(

@@ -262,3 +262,14 @@ def test_what_is_no_form() -> None:
     f = ternary_form([1, 2, 3, -1, 0, 1])
     assert str(f) == "x²+2·y²+3·z²−y·z+x·y"
     assert f.latex() == "x^{2}+2y^{2}+3z^{2}-yz+xy"
+
+
+@pytest.mark.parametrize("field", [*FIELDS, "QQ[s]/(s-1)", "QQ[s]/(s^3-s-1)"])
+def test_forms_are_definite_where_their_orders_are(field: str) -> None:
+    F = ring(field)
+    found = set()
+    for f in (ternary_form([1, 1, 1, 1, 1, 1], F), *random_forms(field, 12, 3)):
+        assert f.is_definite() == f.order().is_definite()
+        found.add(f.is_definite())
+    real = field not in ("QQ(sqrt(-5))", "QQ[s]/(s^3-s-1)")
+    assert found == ({True, False} if real else {False})
