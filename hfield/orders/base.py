@@ -17,7 +17,7 @@ from itertools import count as counter
 from itertools import product
 from typing import TYPE_CHECKING, Generic, NamedTuple, Protocol, TypeAlias, TypeGuard, TypeVar
 
-from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import primes
@@ -58,7 +58,7 @@ from hfield.orders.base_values import (
     TrivialClassGroup,
 )
 from hfield.orders.domains import INTEGERS, EuclideanDomain
-from hfield.orders.linear_algebra_mod_p import kronecker
+from hfield.orders.linear_algebra_mod_p import kronecker, rational_residue
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Parent
@@ -312,6 +312,12 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     def square_factor(self, x: NumberT) -> NumberT:
         """Return s with x/s² simple: over ℤ squarefree, elsewhere s = 1."""
 
+    def embeddings_modulo(self, p: int) -> list[list[int]]:
+        """Return the images of the integral basis by the embeddings of the field in 𝔽_p, for a large p."""
+
+    def splits_completely(self, p: int) -> bool:
+        """Tell whether a large prime number splits completely in the field."""
+
     def short_elements(self, ideal: IdealT, count: int) -> Iterable[NumberT]:
         """Return up to a number of short elements of an ideal; over ℤ its generator."""
 
@@ -425,7 +431,7 @@ class RationalIntegers:
         return d if d.q == 1 and int(d.p) % 4 in (0, 1) else None
 
     def integer_near(self, x: fmpq, modulus: int) -> fmpq:
-        return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
+        return fmpq(rational_residue(x, modulus))
 
     def integral_ideal(self, x: object, what: str = "norm") -> int:
         if isinstance(x, str) and x.isascii() and x.isdecimal():
@@ -530,6 +536,12 @@ class RationalIntegers:
     def square_factor(self, x: fmpq) -> fmpq:
         _, s, _ = squarefree(int(x.p * x.q))
         return fmpq(s, x.q)
+
+    def embeddings_modulo(self, p: int) -> list[list[int]]:
+        return [[1]]
+
+    def splits_completely(self, p: int) -> bool:
+        return True
 
     def short_elements(self, ideal: Fraction | int, count: int) -> list[fmpq]:
         return [self.inside(ideal)]
@@ -723,7 +735,7 @@ class NumberFieldIntegers:
 
     def integer_near(self, x: FieldElement, modulus: int) -> FieldElement:
         (row,) = self.coordinate_rows([x]).tolist()
-        digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
+        digits = [rational_residue(c, modulus) for c in row]
         return self.element_of([fmpq(c) for c in digits])
 
     def integral_ideal(self, x: object, what: str = "norm") -> ideals.FractionalIdeal:
@@ -877,6 +889,23 @@ class NumberFieldIntegers:
 
     def square_factor(self, x: FieldElement) -> FieldElement:
         return self.field.one
+
+    def _modulus(self, p: int) -> nmod_poly:
+        """Return the polynomial that defines the field, modulo p."""
+        return nmod_poly([rational_residue(c, p) for c in self.field.modulus_over_rationals()], p)
+
+    def embeddings_modulo(self, p: int) -> list[list[int]]:
+        modulus = self._modulus(p)
+        rows = [
+            [rational_residue(c, p) for c in self.field.coefficients_of(w)]
+            for w in self.integral_basis
+        ]
+        roots = sorted(int(root) for root, times in modulus.roots() if times == 1)
+        return [[int(nmod_poly(row, p)(root)) for row in rows] for root in roots]
+
+    def splits_completely(self, p: int) -> bool:
+        modulus, x = self._modulus(p), nmod_poly([0, 1], p)
+        return bool(x.pow_mod(p, modulus) == x % modulus)
 
     def short_elements(self, ideal: ideals.FractionalIdeal, count: int) -> Iterable[FieldElement]:
         return s_units(self.ring).short(ideal, count)

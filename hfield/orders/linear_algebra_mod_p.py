@@ -74,3 +74,8 @@ def kronecker(d: int, p: int) -> int:
     if p != 2:
         return int(flint.fmpz(d).jacobi(p))
     return 0 if d % 2 == 0 else 1 if d % 8 in (1, 7) else -1
+
+
+def rational_residue(x: flint.fmpq, p: int) -> int:
+    """Return the residue modulo p of a rational number whose denominator is prime to p."""
+    return int(x.p) * pow(int(x.q), -1, p) % p

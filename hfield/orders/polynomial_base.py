@@ -321,6 +321,12 @@ class PolynomialBase:
     def ball(self, x: RationalFunction, place: int) -> NoReturn:
         raise self._no_number_field("there are real embeddings")
 
+    def embeddings_modulo(self, p: int) -> NoReturn:
+        raise self._no_number_field("there are embeddings modulo prime numbers")
+
+    def splits_completely(self, p: int) -> NoReturn:
+        raise self._no_number_field("there are embeddings modulo prime numbers")
+
     def root_modulo_4(self, d: RationalFunction) -> NoReturn:
         raise self._no_number_field("quadratic orders are given by discriminants")
 

@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from flint import fmpq, fmpz, nmod_mat, nmod_poly
+from flint import fmpz, nmod_mat, nmod_poly
 
 from hfield.fields.rationals.whole_numbers import sqrt_mod
-from hfield.orders.base import number_field_integers
 from hfield.orders.basis import AlgebraBasis
+from hfield.orders.linear_algebra_mod_p import rational_residue
 
 Square = tuple[int, int, int, int]
 """A 2 × 2 matrix, row by row."""
@@ -29,35 +29,14 @@ class SplittingModP(NamedTuple):
     units: list[Square]
 
 
-def embeddings(ambient: AlgebraBasis, p: int) -> list[list[int]]:
-    """Return the images of the integral basis by all embeddings of the field in 𝔽_p."""
-    if ambient.base.is_rational:
-        return [[1]]
-    base = number_field_integers(ambient.base)
-    field = base.field
-    modulus = nmod_poly([_modulo(c, p) for c in field.modulus_over_rationals()], p)
-    rows = [[_modulo(c, p) for c in field.coefficients_of(w)] for w in base.integral_basis]
-    roots = sorted(int(root) for root, times in modulus.roots() if times == 1)
-    return [[int(nmod_poly(row, p)(root)) for row in rows] for root in roots]
-
-
-def splits_completely(ambient: AlgebraBasis, p: int) -> bool:
-    """Return whether a prime number, larger than all exceptions, splits completely in the field."""
-    if ambient.degree == 1:
-        return True
-    coefficients = number_field_integers(ambient.base).field.modulus_over_rationals()
-    modulus = nmod_poly([_modulo(c, p) for c in coefficients], p)
-    x = nmod_poly([0, 1], p)
-    return bool(x.pow_mod(p, modulus) == x % modulus)
-
-
 def splittings(ambient: AlgebraBasis, p: int) -> list[SplittingModP]:
     """Return the embeddings of the field in 𝔽_p and the matrices of the algebra there."""
     rows = ambient.base.coordinate_rows(list(ambient.constants)).tolist()
     found = []
-    for numbers in embeddings(ambient, p):
+    for numbers in ambient.base.embeddings_modulo(p):
         a, t, b = (
-            sum(_modulo(c, p) * w for c, w in zip(row, numbers, strict=True)) % p for row in rows
+            sum(rational_residue(c, p) * w for c, w in zip(row, numbers, strict=True)) % p
+            for row in rows
         )
         found.append(SplittingModP(numbers, _matrix_units(a, t, b, p)))
     return found
@@ -83,10 +62,6 @@ def _product(x: Square, y: Square, p: int) -> Square:
     a, b, c, d = x
     e, f, g, h = y
     return (a * e + b * g) % p, (a * f + b * h) % p, (c * e + d * g) % p, (c * f + d * h) % p
-
-
-def _modulo(x: fmpq, p: int) -> int:
-    return int(x.p) * pow(int(x.q), -1, p) % p
 
 
 class SymmetricPower:

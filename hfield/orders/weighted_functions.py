@@ -22,7 +22,7 @@ from hfield.orders.class_elements import ClassElements, Located
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Combination, Module
 from hfield.orders.residues_modulo_primes import fixed_by, identity, lifted, pivots
-from hfield.orders.symmetric_powers import SymmetricPower, splits_completely
+from hfield.orders.symmetric_powers import SymmetricPower
 
 
 class Reduction:
@@ -64,8 +64,8 @@ class WeightedFunctions(Module):
         return WeightedFunctions(classes, self.make, self.weight)
 
     def suits(self, p: int) -> bool:
-        """Return whether a prime splits completely in the field."""
-        return splits_completely(self.classes.ambient, p)
+        """Tell whether a prime splits completely in the field."""
+        return self.classes.ambient.base.splits_completely(p)
 
     def _reduction(self, p: int) -> Reduction:
         if p not in self._reductions:

@@ -15,6 +15,7 @@ from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, NotFiniteError, TooLargeError
 from hfield.fuchsian import area
 from hfield.orders import elliptic_points, mass_formula
+from hfield.orders.basis import base_of
 from tests.thorough import quick_part
 
 VECTORS = Path(__file__).parent.parent / "vectors"
@@ -377,3 +378,19 @@ def test_what_orders_over_fields_refuse() -> None:
         O.subideals(O.left_ideal([3, "1 + i + j"]), 2)
     with pytest.raises(LatticeError, match="divides both"):
         O.suborders(2)[0].random_ideal(2)
+
+
+@pytest.mark.parametrize("field", ["QQ", "QQ[s]/(s-1)", "QQ(sqrt(5))", "QQ[s]/(s^3-s^2-2*s+1)"])
+def test_embeddings_modulo_large_primes_respect_products(field: str) -> None:
+    base = base_of(ring(field))
+    found = set()
+    for p in (10007, 10009, 10037, 10039, 10061, 10067):
+        embeddings = base.embeddings_modulo(p)
+        found.add(base.splits_completely(p))
+        assert base.splits_completely(p) == (len(embeddings) == base.degree)
+        for images in embeddings:
+            for (x, v), (y, w) in product(zip(base.integral_basis, images, strict=True), repeat=2):
+                (row,) = base.coordinate_rows([x * y]).tolist()
+                total = sum(int(c.p) * u for c, u in zip(row, images, strict=True))
+                assert (total - v * w) % p == 0
+    assert found == ({True} if base.degree == 1 else {True, False})
