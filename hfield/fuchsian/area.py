@@ -68,6 +68,11 @@ def cusps(order: LatticeValue) -> int | None:
     )
 
 
+def decides_traces(order: LatticeValue) -> bool:
+    """Tell whether :func:`is_hyperbolic_trace` decides traces: for Eichler orders over ℤ."""
+    return order.ambient.base.is_rational and is_eichler(order)
+
+
 def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
     """Return whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
 

@@ -17,7 +17,6 @@ from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import SplitOrder
 from hfield.fuchsian.upper_half_plane import fixed_point, fixing
 from hfield.hints import GROUP, Hinted
-from hfield.orders.invariants import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
@@ -351,7 +350,7 @@ class NormOneGroup(Certified, Hinted):
         >>> G.traces(17), round(G.systole, 6)
         ((5, 10, 11, 13, 16, 17), 3.133598)
         """
-        if not (self.order.base.is_rational and is_eichler(self.order.order)):
+        if not area.decides_traces(self.order.order):
             raise LatticeError(
                 "traces and the systole are computed for Eichler orders over ZZ only"
             )
@@ -368,7 +367,7 @@ class NormOneGroup(Certified, Hinted):
 
         Raises :class:`LatticeError` for orders that are not Eichler, with cusps.
         """
-        if not (self.order.base.is_rational and is_eichler(self.order.order)):
+        if not area.decides_traces(self.order.order):
             length = 1.0
             while not (closed := self.geodesics(length)):
                 length += 1

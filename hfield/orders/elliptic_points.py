@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.base import NumberFieldIntegers
 
 MAX_RESIDUES = 10_000
 """At primes whose square divides the level, roots of polynomials are listed modulo primes up to this norm."""
@@ -48,9 +48,8 @@ def elliptic_points(order: LatticeValue) -> dict[int, int]:
 
     The algebra is a division algebra over a totally real field and splits at one real place.
     """
-    found = [
-        _Rotations(order, q, t) for q, t in _traces(number_field_integers(order.ambient.base).field)
-    ]
+    base = number_field_integers(order.ambient.base)
+    found = [_Rotations(order, base, q, t) for q, t in _traces(base.field)]
     counts = {x.q: x.count([y for y in found if y.q % x.q == 0 and y.q > x.q]) for x in found}
     return {q: n for q, n in counts.items() if n}
 
@@ -69,14 +68,16 @@ def _traces(field: NumberField) -> Iterator[tuple[int, FieldElement]]:
 class _Rotations:
     """The embeddings of the orders with a root of unity of order 2q, of trace t."""
 
-    def __init__(self, order: LatticeValue, q: int, t: FieldElement) -> None:
+    def __init__(
+        self, order: LatticeValue, base: NumberFieldIntegers, q: int, t: FieldElement
+    ) -> None:
         ambient = order.ambient
         self.ambient, self.q, self.d = ambient, q, t * t - 4
-        self.base = number_field_integers(ambient.base)
+        self.base = base
         several = [P for P, e in self.base.principal(self.d).factorisation() if e > 1]
         self.level = dict(ambient.base.factorisation(level(order)))
         primes = map(self.base.prime, [*ambient.ramified, *self.level, *several])
-        self.primes = {P: _LocalField(ambient, P, self.d) for P in primes}
+        self.primes = {P: _LocalField(base, P, self.d) for P in primes}
 
     def count(self, larger: list[_Rotations]) -> int:
         """Return how many points have this order, and none of the larger ones."""
@@ -117,8 +118,8 @@ class _LocalField:
     The order of discriminant d has the conductor P to the power ``conductor``.
     """
 
-    def __init__(self, ambient: AlgebraBasis, P: PrimeIdeal, d: FieldElement) -> None:
-        self.base, self.P, self.d = number_field_integers(ambient.base), P, d
+    def __init__(self, base: NumberFieldIntegers, P: PrimeIdeal, d: FieldElement) -> None:
+        self.base, self.P, self.d = base, P, d
         v, unit = P.unit_part(d)
         e = self.e = P.e if P.p == 2 else 0
         exponent = 2 * e + 1  # of the discriminant of the field
