@@ -194,14 +194,11 @@ def element_of_norm(
 
 
 def split_order(order: LatticeValue) -> SplitOrder:
-    """Return an order for its group, with a basis in which products have small coordinates.
+    """Return an order for its group, with a basis that looks short from a point.
 
-    Over ℤ that is the basis of its normal form; elsewhere it looks short from a point. Raises
-    :class:`IndefiniteError`.
+    Products have small coordinates in it. Raises :class:`IndefiniteError`.
     """
     plain = SplitOrder(order)
-    if plain.degree == 1:
-        return plain
     sight = Sight(first_plane(plain), order.basis)
     steps = reduction(sight.forms(np.zeros(1), 1.0)[0]).tolist()
     return SplitOrder(order, order.elements(fmpz_mat(steps) * order.matrix))
