@@ -248,14 +248,6 @@ class SublatticeKeys:
             least = min(values)
             kept = [k for k, value in enumerate(values) if value == least]
             elements, found = [elements[k] for k in kept], [found[k] for k in kept]
-        if len(found) <= MAX_QUOTIENTS or base.is_polynomial:
+        if len(found) <= MAX_QUOTIENTS:
             return elements
-        products: list[list[fmpz]] = []
-        for number, form in enumerate(self._forms):
-            some = [vector for n, vector in found if n == number]
-            if some:
-                rows = fmpz_mat(some)
-                table = (rows * form * rows.transpose()).tolist()
-                products += [sorted(map(abs, row)) for row in table]
-        first = min(products)
-        return [x for x, numbers in zip(elements, products, strict=True) if numbers == first]
+        return [elements[k] for k in self._ambient.kernels.least_products(found, self._forms)]

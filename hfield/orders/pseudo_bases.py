@@ -58,9 +58,12 @@ def inverse_ideal(base: Base, ideal: list[BaseNumber]) -> list[BaseNumber]:
 
 def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
     """Return bases of ideals, and quaternions: the lattice is the direct sum of their products."""
+    return lattice.ambient.kernels.pseudo_basis(lattice)
+
+
+def by_last_coordinates(lattice: LatticeValue) -> PseudoBasis:
+    """Return a pseudo-basis by the ideals of the last coordinates, over ℤ and ℤ_K."""
     ambient = lattice.ambient
-    if ambient.base.is_polynomial:  # over polynomials all lattices are free
-        return tuple(((ambient.base.outside(ambient.base.field.one),), q) for q in lattice.basis)
     return tuple(
         (tuple(map(ambient.base.outside, ideal)), ambient.quaternion(row))
         for ideal, row in _pseudo_basis(ambient.base, lattice.rows)

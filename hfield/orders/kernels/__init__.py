@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
+    from hfield.orders.pseudo_bases import PseudoBasis
 
 Rows = tuple[int, fmpz_mat]
 """Rows over a denominator."""
@@ -45,6 +46,8 @@ class Kernels:
     has_norm: Callable[[AlgebraBasis, Integer, IntegerMatrix, BaseNumber], bool]
     element_of_large_norm: Callable[[LatticeValue, BaseNumber, Random], Quaternion | None]
     class_number_by_formula: Callable[[LatticeValue], int | None]
+    least_products: Callable[[Sequence[tuple[int, list[int]]], Sequence[fmpz_mat]], Sequence[int]]
+    pseudo_basis: Callable[[LatticeValue], PseudoBasis]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
 

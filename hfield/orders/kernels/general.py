@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
+    from hfield.orders.pseudo_bases import PseudoBasis
 
 MAX_COUNTED = 2 * 10**6
 """The largest number of elements that are counted."""
@@ -166,6 +167,31 @@ def element_of_large_norm(order: LatticeValue, norm: BaseNumber, rng: Random) ->
 def class_number_by_formula(order: LatticeValue) -> int | None:
     """Return None: the formula needs class numbers of quadratic extensions of the field."""
     return None
+
+
+def least_products(
+    vectors: Sequence[tuple[int, list[int]]], forms: Sequence[fmpz_mat]
+) -> Sequence[int]:
+    """Return which vectors have the least sorted absolute inner products with the others.
+
+    Each has the number of its form; vectors of one form follow each other, in the order of the forms.
+    """
+    products: list[list[fmpz]] = []
+    for number, form in enumerate(forms):
+        some = [vector for n, vector in vectors if n == number]
+        if some:
+            rows = fmpz_mat(some)
+            table = (rows * form * rows.transpose()).tolist()
+            products += [sorted(map(abs, row)) for row in table]
+    first = min(products)
+    return [k for k, numbers in enumerate(products) if numbers == first]
+
+
+def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
+    """Return bases of ideals, and quaternions: the lattice is the direct sum of their products."""
+    from hfield.orders.pseudo_bases import by_last_coordinates
+
+    return by_last_coordinates(lattice)
 
 
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
+    from hfield.orders.pseudo_bases import PseudoBasis
 
 
 def class_forms(
@@ -36,6 +37,19 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
     """Return True: in degree 1 the value of the form is the norm."""
     return True
+
+
+def least_products(
+    vectors: Sequence[tuple[int, list[int]]], forms: Sequence[fmpz_mat]
+) -> Sequence[int]:
+    """Return the numbers of all vectors: none is preferred."""
+    return range(len(vectors))
+
+
+def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
+    """Return the basis, each element times the unit ideal: all lattices are free."""
+    base = lattice.ambient.base
+    return tuple(((base.outside(base.field.one),), q) for q in lattice.basis)
 
 
 def theta_series(
