@@ -69,7 +69,7 @@ def cusps(order: LatticeValue) -> int | None:
 
 
 def decides_traces(order: LatticeValue) -> bool:
-    """Tell whether :func:`is_hyperbolic_trace` decides traces: for Eichler orders over ℤ."""
+    """Return whether :func:`is_hyperbolic_trace` decides traces: for Eichler orders over ℤ."""
     return order.ambient.base.is_rational and is_eichler(order)
 
 

@@ -316,7 +316,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the images of the integral basis by the embeddings of the field in 𝔽_p, for a large p."""
 
     def splits_completely(self, p: int) -> bool:
-        """Tell whether a large prime number splits completely in the field."""
+        """Return whether a large prime number splits completely in the field."""
 
     def short_elements(self, ideal: IdealT, count: int) -> Iterable[NumberT]:
         """Return up to a number of short elements of an ideal; over ℤ its generator."""

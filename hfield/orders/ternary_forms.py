@@ -109,7 +109,7 @@ class TernaryForm(Hinted):
         return (2 * a, t, s), (t, 2 * b, r), (s, r, 2 * c)
 
     def is_definite(self) -> bool:
-        """Tell whether the field is totally real and the form has no zero but 0 at any real place."""
+        """Return whether the field is totally real and the form has no zero but 0 at any real place."""
         base = base_of(self.ring)
         a, b, *_, t = self.coefficients
         minors = [base.inside(x) for x in (4 * a * b - t * t, a * self.discriminant())]

@@ -64,7 +64,7 @@ class WeightedFunctions(Module):
         return WeightedFunctions(classes, self.make, self.weight)
 
     def suits(self, p: int) -> bool:
-        """Tell whether a prime splits completely in the field."""
+        """Return whether a prime splits completely in the field."""
         return self.classes.ambient.base.splits_completely(p)
 
     def _reduction(self, p: int) -> Reduction:
