@@ -39,7 +39,9 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
-    return first.ambient.kernels.conjugator(first, second)
+    choose = first.ambient.kernels.choose
+    way = choose(by_two_images, rank4=by_reduced_bases, polynomials=by_connecting_ideals)
+    return way(first, second)
 
 
 def by_connecting_ideals(

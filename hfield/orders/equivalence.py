@@ -23,6 +23,7 @@ from hfield.orders import certificates, enumeration, hermite
 from hfield.orders.base import Base
 from hfield.orders.base_values import BaseIdeal, BaseNumber
 from hfield.orders.invariants import has_all_unit_norms
+from hfield.orders.kernels import ideal_products
 from hfield.orders.lattice_values import (
     LatticeValue,
     colon,
@@ -73,7 +74,7 @@ def _between(
     bar = conjugate(first)
     ambient = first.ambient
     pair = (second, bar) if side == "right" else (bar, second)
-    found = ambient.kernels.ideal_product(*pair, order)
+    found = ideal_products.product(*pair, order)
     return times_ideal(found, ambient.base.inverse(first.norm))
 
 

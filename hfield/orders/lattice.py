@@ -64,6 +64,7 @@ from hfield.orders.class_file import ClassFile
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.hecke_modules import ClassFunctions
+from hfield.orders.kernels import ideal_products
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.newform_certificates import of_newforms
 from hfield.orders.orders_at_primes import OrderAtPrime
@@ -1138,8 +1139,8 @@ class Ideal(Certified, Lattice):
         if self.side != "right":
             return Ideal.of(super().__mul__(other), "left", self._order)
         if isinstance(other, Ideal) and other.side == "left" and self.order == other.order:
-            product = self.value.ambient.kernels.ideal_product
-            return Ideal(product(self.value, other.value, self.order.value), "right")
+            pair = self.value, other.value
+            return Ideal(ideal_products.product(*pair, self.order.value), "right")
         known = other._order if isinstance(other, Ideal) and other.side == "right" else None
         return Ideal.of(super().__mul__(other), "right", known)
 

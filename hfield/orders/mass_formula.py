@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
+from hfield.orders import invariants
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
@@ -79,7 +80,16 @@ def class_number_by_formula(order: LatticeValue) -> int | None:
 
     It is None over other bases, where the formula needs class numbers of quadratic extensions.
     """
-    return order.ambient.kernels.class_number_by_formula(order)
+    return order.ambient.kernels.choose(_no_formula, rank4=_by_formula)(order)
+
+
+def _no_formula(order: LatticeValue) -> int | None:
+    return None
+
+
+def _by_formula(order: LatticeValue) -> int | None:
+    norm = order.ambient.base.absolute_norm
+    return class_number(norm(order.ambient.discriminant), norm(invariants.level(order)))
 
 
 def _roots(d: int, p: int, e: int) -> int:

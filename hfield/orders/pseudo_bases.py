@@ -58,7 +58,12 @@ def inverse_ideal(base: Base, ideal: list[BaseNumber]) -> list[BaseNumber]:
 
 def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
     """Return bases of ideals, and quaternions: the lattice is the direct sum of their products."""
-    return lattice.ambient.kernels.pseudo_basis(lattice)
+    return lattice.ambient.kernels.choose(by_last_coordinates, polynomials=_free)(lattice)
+
+
+def _free(lattice: LatticeValue) -> PseudoBasis:
+    base = lattice.ambient.base
+    return tuple(((base.outside(base.field.one),), q) for q in lattice.basis)
 
 
 def by_last_coordinates(lattice: LatticeValue) -> PseudoBasis:

@@ -319,10 +319,10 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
     ):
         return None
     rng = Random(0 if seed is None else seed)
-    return ambient.kernels.element_of_large_norm(order, norm, rng)
+    return ambient.kernels.choose(in_random_ideals, rank4=in_quadratic_orders)(order, norm, rng)
 
 
-def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion:
+def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
     """Return an element of a norm, a generator of a random ideal. Raises :class:`UndecidedError`."""
     base = order.ambient.base
     for ideal in _random_ideals(order, norm, rng):
@@ -335,8 +335,9 @@ def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quat
     )
 
 
-def in_quadratic_orders(order: LatticeValue, n: int, rng: Random) -> Quaternion | None:
+def in_quadratic_orders(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
     """Return the same for an order over ℤ; by all means where its discriminant is small."""
+    n = int(order.ambient.base.trace(norm).p)
     found = element_of_large_norm(order, n, rng)
     if found is not None:
         return found

@@ -6,8 +6,15 @@ from random import Random
 from flint import fmpz, fmpz_mat
 
 from hfield import QuaternionAlgebra
-from hfield.orders import generated_orders, hermite, lattice_values, maximal_orders, short_elements
-from hfield.orders.kernels import general, rank4
+from hfield.orders import (
+    generated_orders,
+    hermite,
+    lattice_values,
+    maximal_orders,
+    quadratic_orders,
+    short_elements,
+)
+from hfield.orders.kernels import general, ideal_products, rank4
 from hfield.orders.lattice_values import LatticeValue
 from tests.orders.random_lattices import algebra
 
@@ -56,7 +63,7 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
         left = lattice_values.generated_ideal(order, [element], "left")
         right = lattice_values.generated_ideal(order, [element, L.basis[1]], "right")
         given = (right, left, order)
-        assert rank4.ideal_product(*given) == general.ideal_product(*given)
+        assert ideal_products.product(*given) == lattice_values.product(right, left)
         for ideal in (L, left):
             found = rank4.is_locally_principal(ideal, order)
             assert found == general.is_locally_principal(ideal, order)
@@ -90,7 +97,7 @@ def test_elements_of_large_norm_without_and_with_a_kernel() -> None:
     for d in (2, 11, 30, 101):
         order = QuaternionAlgebra(d).maximal_order().value
         for n in (d, 10**9 + 7, 15 * (10**12 + 39)):
-            for kernel in (rank4.element_of_large_norm, general.element_of_large_norm):
+            for kernel in (quadratic_orders.in_quadratic_orders, quadratic_orders.in_random_ideals):
                 x = kernel(order, order.ambient.base.inside(n), rng)
                 assert x is not None
                 assert x.norm() == n

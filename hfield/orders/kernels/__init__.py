@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from flint import fmpz, fmpz_mat
 
@@ -17,12 +16,12 @@ from hfield.orders.base_values import BaseIdeal, BaseNumber, Integer, IntegerMat
 from hfield.orders.kernels import general, polynomials, rank4
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.base import Base
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
-    from hfield.orders.pseudo_bases import PseudoBasis
+
+FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
 
 Rows = tuple[int, fmpz_mat]
 """Rows over a denominator."""
@@ -41,17 +40,20 @@ class Kernels:
     index: Callable[[LatticeValue, LatticeValue], BaseIdeal]
     order_rows: Callable[[LatticeValue, fmpz_mat], Rows]
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
-    ideal_product: Callable[[LatticeValue, LatticeValue, LatticeValue], LatticeValue]
-    conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
     has_norm: Callable[[AlgebraBasis, Integer, IntegerMatrix, BaseNumber], bool]
-    element_of_large_norm: Callable[[LatticeValue, BaseNumber, Random], Quaternion | None]
-    class_number_by_formula: Callable[[LatticeValue], int | None]
     least_products: Callable[[Sequence[tuple[int, list[int]]], Sequence[fmpz_mat]], Sequence[int]]
-    pseudo_basis: Callable[[LatticeValue], PseudoBasis]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
 
     def __init__(self, base: Base) -> None:
         own = rank4 if base.is_rational else polynomials if base.is_polynomial else general
+        self._name = own.__name__.rpartition(".")[2]
         for name in Kernels.__annotations__:
             setattr(self, name, getattr(own, name, getattr(general, name)))
+
+    def choose(self, general: FunctionT, **own: FunctionT) -> FunctionT:
+        """Return a function for any base, or the one for this base, named ``rank4`` or ``polynomials``.
+
+        Modules that stand on lattices choose so among their functions.
+        """
+        return own.get(self._name, general)

@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from operator import mul
-from random import Random
 from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat
@@ -19,10 +18,8 @@ from hfield.orders.domains import domain_of
 from hfield.orders.hermite import divided, hermite, stacked, tuples
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
-    from hfield.orders.pseudo_bases import PseudoBasis
 
 MAX_COUNTED = 2 * 10**6
 """The largest number of elements that are counted."""
@@ -134,39 +131,10 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
     return bool(index == ideal.norm * ideal.norm * whole)
 
 
-def ideal_product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
-    """Return ``first·second`` for a right ideal and a left ideal of an order."""
-    from hfield.orders import lattice_values
-
-    return lattice_values.product(first, second)
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Return x with x·O·x⁻¹ = O' for definite orders of one discriminant, or None and why there is none."""
-    from hfield.orders.conjugators import by_two_images
-
-    return by_two_images(first, second)
-
-
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
     """Return whether a row over ``den`` has a norm ν, where Tr(N(x)/ν) is the degree of the field."""
     x = row * ambient.domain.fraction(1, den)
     return bool(ambient.norm(x.entries()) == norm)
-
-
-def element_of_large_norm(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
-    """Return an element of a norm that no prime obstructs, or None where it is proved that there is none.
-
-    Raises :class:`UndecidedError`.
-    """
-    from hfield.orders.quadratic_orders import in_random_ideals
-
-    return in_random_ideals(order, norm, rng)
-
-
-def class_number_by_formula(order: LatticeValue) -> int | None:
-    """Return None: the formula needs class numbers of quadratic extensions of the field."""
-    return None
 
 
 def least_products(
@@ -185,13 +153,6 @@ def least_products(
             products += [sorted(map(abs, row)) for row in table]
     first = min(products)
     return [k for k, numbers in enumerate(products) if numbers == first]
-
-
-def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
-    """Return bases of ideals, and quaternions: the lattice is the direct sum of their products."""
-    from hfield.orders.pseudo_bases import by_last_coordinates
-
-    return by_last_coordinates(lattice)
 
 
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:

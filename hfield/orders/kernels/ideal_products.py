@@ -19,6 +19,19 @@ from hfield.orders.lattice_values import LatticeValue
 PAIRS = list(combinations(range(4), 2))
 
 
+def product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
+    """Return ``first·second`` for a right ideal and a left ideal of an order."""
+    return first.ambient.kernels.choose(_by_basis, rank4=_quick)(first, second, order)
+
+
+def _by_basis(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
+    return lattice_values.product(first, second)
+
+
+def _quick(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
+    return modulo_norm(first, second, order) or lattice_values.product(first, second)
+
+
 def modulo_norm(
     first: LatticeValue, second: LatticeValue, order: LatticeValue
 ) -> LatticeValue | None:

@@ -12,12 +12,9 @@ from hfield.orders.base import Counts
 if TYPE_CHECKING:
     from flint import fmpz_mat, fq_default_poly
 
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.base_values import BaseNumber, Integer, IntegerMatrix, ThetaSeries
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
-    from hfield.orders.lattice_values import LatticeValue
-    from hfield.orders.pseudo_bases import PseudoBasis
 
 
 def class_forms(
@@ -25,13 +22,6 @@ def class_forms(
 ) -> list[fmpz_mat]:
     """Return the forms themselves: only degrees are compared, and units and ν make no difference."""
     return grams
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Find one by connecting ideals: where 2 is 0 there is no trace-0 lattice in R + 2O."""
-    from hfield.orders.conjugators import by_connecting_ideals
-
-    return by_connecting_ideals(first, second)
 
 
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
@@ -44,12 +34,6 @@ def least_products(
 ) -> Sequence[int]:
     """Return the numbers of all vectors: none is preferred."""
     return range(len(vectors))
-
-
-def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
-    """Return the basis, each element times the unit ideal: all lattices are free."""
-    base = lattice.ambient.base
-    return tuple(((base.outside(base.field.one),), q) for q in lattice.basis)
 
 
 def theta_series(

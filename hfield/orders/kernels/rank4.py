@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from random import Random
 from typing import TYPE_CHECKING
 
-from flint import fmpq, fmpz, fmpz_mat, fmpz_poly
+from flint import fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.product import Constants
 from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import enumeration
 from hfield.orders.hermite import integral
-from hfield.orders.kernels import general
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.base_values import BaseNumber, Integer, IntegerMatrix
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
@@ -67,39 +64,9 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
     return bool(index == content * content * _determinant(order.matrix))
 
 
-def ideal_product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
-    """Return the product by linear algebra modulo the norm of a locally principal second ideal."""
-    from hfield.orders.kernels.ideal_products import modulo_norm
-
-    return modulo_norm(first, second, order) or general.ideal_product(first, second, order)
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Find one by the reduced bases of the trace-0 lattices, of which there are few."""
-    from hfield.orders.conjugators import by_reduced_bases
-
-    return by_reduced_bases(first, second)
-
-
 def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: BaseNumber) -> bool:
     """Return True: in degree 1 the value of the form is the norm."""
     return True
-
-
-def element_of_large_norm(order: LatticeValue, norm: fmpq, rng: Random) -> Quaternion | None:
-    """Find one in the frame of a quadratic order; by all means where the discriminant is small."""
-    from hfield.orders.quadratic_orders import in_quadratic_orders
-
-    return in_quadratic_orders(order, int(norm.p), rng)
-
-
-def class_number_by_formula(order: LatticeValue) -> int:
-    """Return the number of right ideal classes of a definite Eichler order, by Eichler's formula."""
-    from hfield.orders.invariants import level
-    from hfield.orders.mass_formula import class_number
-
-    norm = order.ambient.base.absolute_norm
-    return class_number(norm(order.ambient.discriminant), norm(level(order)))
 
 
 def _determinant(matrix: fmpz_mat) -> fmpz:
