@@ -106,14 +106,14 @@ for n in (1, 50, 60_000):
 def test_warm_up_makes_the_formulas_of_rotations() -> None:
     code = """
 from rotation import action, kernels, matrices, quaternions, vectors, warm_up
-from rotation.rowwise import Formula, unmade
+from rotation.rowwise import RowFormula, unmade
 kernels._run = lambda *_, **__: False
 warm_up()
 for module in (action, matrices, quaternions, vectors):
     for name, value in vars(module).items():
         found = value.values() if isinstance(value, dict) else value if isinstance(value, list) else [value]
         for f in found:
-            if isinstance(f, Formula) and f.function is unmade:
+            if isinstance(f, RowFormula) and f.function is unmade:
                 print(module.__name__, name)
 """
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
