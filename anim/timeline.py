@@ -43,7 +43,7 @@ class Instants(NamedTuple):
 
 @dataclass(frozen=True)
 class Timeline:
-    """A reading of the text; the ranges of its parameters are the module's constants.
+    """An interpretation of the thesis's text; the module's constants are the ranges of its parameters.
 
     - ``spin``: the value of ``speed`` is the angle about z ("absolute"), or a speed in rad/s, over which
       the angle accumulates ("accumulated").

@@ -188,7 +188,7 @@ class CertifiedClaim:
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate as JSON data, or None where the checker does not follow."""
+        """The certificate as JSON data, or None if the checker cannot check this result."""
         return self._data if self.why_no_certificate is None else None
 
     @cached_property

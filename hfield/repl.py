@@ -56,7 +56,7 @@ HISTORY_LINES = 2000
 
 
 def completions(value: object, prefix: str) -> list[str]:
-    """Return the public names of a value that begin so: those of an algebra in the order of a lesson.
+    """Return the public names of a value with a prefix; names of an algebra in the order of the lesson.
 
     >>> from hfield import H
     >>> completions(H("GF(3)"), "")[:4], completions(H("GF(3)"), "unit")

@@ -1,4 +1,4 @@
-"""An immutable array of unit quaternions, the half of `Rotation` that stores them and knows shapes."""
+"""The base class of `Rotation`: an immutable array of unit quaternions, with its storage and its shape."""
 
 from collections.abc import Iterable, Sequence
 from typing import Self, cast

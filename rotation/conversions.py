@@ -1,4 +1,4 @@
-"""The half of `Rotation` that converts representations: constructors ``from_…`` and methods ``as_…``."""
+"""The part of `Rotation` that converts representations: constructors ``from_…`` and methods ``as_…``."""
 
 from typing import TYPE_CHECKING, Self
 

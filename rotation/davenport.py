@@ -25,7 +25,7 @@ _LOCK = 8.0 * float(np.finfo(np.float64).eps)
 
 
 def checked_axes(axes: ArrayLike, order: str) -> tuple[Array, bool]:
-    """Return the unit axes (…, n, 3), n at most 3, and whether they turn along.
+    """Return the unit axes (…, n, 3), n at most 3, and whether they are intrinsic: turn with the body.
 
     Raises
     ------

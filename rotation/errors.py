@@ -4,7 +4,7 @@ from hfield.errors import HFieldError
 
 
 class RotationError(HFieldError, ValueError):
-    """Values that name no rotation, or shapes, layouts and memory that do not fit together.
+    """An error for values that are no rotation, or for shapes, layouts or memory that do not fit together.
 
     Examples
     --------

@@ -167,7 +167,7 @@ class _Boxes(NamedTuple):
         return normalised(np.where(np.arange(4) == self.face[:, None], 1.0, raised))
 
     def radii(self, centers: Array) -> Array:
-        """Return the largest angles between the middles and other rotations in the cubes."""
+        """Return, for each cube, the largest angle between its centre and a rotation in it."""
         chords = [np.sqrt(((self.quaternions(c) - centers) ** 2).sum(axis=1)) for c in _CORNERS]
         found: Array = 4.0 * np.arcsin(0.5 * np.max(chords, axis=0))
         return found

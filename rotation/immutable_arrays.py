@@ -13,7 +13,7 @@ from rotation.errors import DTypeError, RotationError
 
 
 class ImmutableArray(Hinted):
-    """Holds unit quaternions (…, 4), scalar first, and behaves as an array of shape (…)."""
+    """An immutable array of shape (…), stored as unit quaternions (…, 4), scalar first."""
 
     __slots__ = ("__weakref__", "_q")
     # numpy must not distribute `array * rotation` over the array's entries.
@@ -75,7 +75,7 @@ class ImmutableArray(Hinted):
 
     @abstractmethod
     def log(self) -> Array:
-        """Return the tangents of which these are the exponentials."""
+        """Return the logarithms: the tangents whose exponentials are these rotations or motions."""
 
     @abstractmethod
     def adjoint(self) -> Array:

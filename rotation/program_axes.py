@@ -115,7 +115,7 @@ def convert_transform(transform: RigidTransform, source: str, target: str) -> Ri
 def look_at(
     eye: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), convention: str = "opengl"
 ) -> RigidTransform:
-    """Return the pose at ``eye`` of what faces ``target``, its own up as near to ``up`` as can be.
+    """Return the pose of a body at ``eye`` that faces ``target``, its up axis as near to ``up`` as possible.
 
     Parameters
     ----------

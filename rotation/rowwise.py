@@ -258,6 +258,7 @@ def rarely(
 
 
 def flag_if(xp: Namespace, condition: Array) -> None:
-    """Make `RowFormula.with_flag` return True if the condition holds in a row; by numpy it always does."""
+    """Make `RowFormula.with_flag` return True if the condition holds in a row; without machine code it may
+    return True in any case."""
     if hasattr(xp, "flag_if"):
         xp.flag_if(condition)

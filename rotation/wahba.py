@@ -55,10 +55,11 @@ def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tu
 
 
 def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
-    """Return the answer where one pair weighs infinitely: it is aligned exactly, the others as may be.
+    """Return the solution if one pair has infinite weight: it is aligned exactly, the others best possible.
 
-    None where all weights are finite. About the certain pair's direction the rest is one angle:
-    ``atan2(Σ w·a·(u × b'), Σ w·a·b' − (a·u)(b'·u))`` with b' the vectors b after the first turn.
+    Return None if all weights are finite. The first rotation aligns this pair; the second is about its
+    direction u by the angle ``atan2(Σ w·a·(u × b'), Σ w·a·b' − (a·u)(b'·u))``, with b' the vectors b after
+    the first.
 
     Raises
     ------

@@ -163,7 +163,7 @@ def motions_of(
 
 
 def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeTop | None:
-    """Return the top that a page computes live: that of physics, also beside the thesis's four ways."""
+    """Return the simulated top for a live page, or None; a motion of the thesis gets a free top beside it."""
     from anim.physics import FreeTop, HeavyTop
 
     if isinstance(motion.sampler, (HeavyTop, FreeTop)):

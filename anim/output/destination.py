@@ -78,7 +78,7 @@ def folder_place(path: Path, force: bool) -> Iterator[Path]:
 
 
 def write_text(path: Path, text: str, force: bool) -> None:
-    """Write a text, whole or not at all. Raises :class:`AnimationError` when the disk does not take it."""
+    """Write a text to a file, completely or not at all. Raises :class:`AnimationError` if that fails."""
     with file_place(path, force) as part:
         part.write_text(text, encoding="utf-8")
 

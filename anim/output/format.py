@@ -1,4 +1,4 @@
-"""Describe a film to the formats, and a format to the writer."""
+"""The description of a film that formats read, and the base class of formats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Write a film or a picture in the format that the suffix of its name says."""
+"""Write a film or a picture in the format that the suffix of the file name gives."""
 
 from __future__ import annotations
 

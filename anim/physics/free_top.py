@@ -1,4 +1,4 @@
-"""A top free on the ground, launched and followed: it slips, rises, sleeps, falls, rolls out."""
+"""The motion of a top that is free on the ground: it slips, rises, sleeps, falls and rolls out."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -107,7 +107,7 @@ class FreeTop(Stepped):
 
     @property
     def lever(self) -> float:
-        """From the middle of the tip's ball to the centre of mass, in m."""
+        """The distance from the centre of the tip's ball to the centre of mass, in m."""
         return self.body.height - self.contact.radius
 
     @property
@@ -140,7 +140,7 @@ class FreeTop(Stepped):
 
     @property
     def longest_step(self) -> float:
-        """The longest step in s that follows contact, turning and decay."""
+        """The longest time step, in s, that is short enough for contact, turning and decay."""
         launch = self.launch
         turning = hypot(self.spin, launch.precession * sin(launch.tilt))
         rates = (turning, 1 / launch.spin_decay, 1 / launch.tilt_decay, 1e-9)

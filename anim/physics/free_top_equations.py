@@ -56,7 +56,7 @@ class Ground(NamedTuple):
 
 @called
 def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
-    """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding.
+    """Write the derivative of the state ``y`` into ``out``; ``edges`` (k, 3) are radius, height, rounding.
 
     Return an estimate of the rate at which friction ends slip and spin, in s⁻¹. For slip it is the force over
     the slip, times the inverse of the effective mass at the contact, at most 1/m + s²/I.

@@ -25,7 +25,7 @@ class Stepped:
     @property
     @abstractmethod
     def longest_step(self) -> float:
-        """The longest step in s that follows the motion."""
+        """The longest time step, in s, that is short enough for the motion."""
 
     @property
     def steps(self) -> int:

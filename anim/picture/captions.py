@@ -36,7 +36,7 @@ GAP = "     "
 
 
 def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, ...]:
-    """Return the lines that say a motion's formula, its tilt in degrees and its spin in rad/s.
+    """Return lines with the formula of a motion, its tilt in degrees and its spin in rad/s.
 
     >>> caption("pl", "product", 12.34, 5.0)
     ('x ↦ (q₂q₁) x (q₂q₁)⁻¹', 'pochylenie 12,3°', 'wirowanie 5,0 rad/s')

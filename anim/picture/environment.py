@@ -32,7 +32,7 @@ def darkness(paper: RGB) -> float:
 
 
 def of_darkness(table: str, name: str, dark: float) -> float:
-    """Return a number of the environment for a paper so dark."""
+    """Return a number of the environment, interpolated for a paper of this darkness."""
     light, other = float(environment()[table][name]), float(environment()["dark"][name])
     return light + dark * (other - light)
 

@@ -190,7 +190,7 @@ def lay(
     start: Floats,
     step: float,
 ) -> None:
-    """Lay the shaded ground over ``pixels`` (height, width, 3), inside ``box``, where ``grid`` reaches."""
+    """Draw the shaded ground into ``pixels`` (height, width, 3), inside ``box``, as far as ``grid`` goes."""
     left, top, right, bottom = box
     rows, columns = grid.shape
     west, south = start[0] / step, start[1] / step

@@ -70,11 +70,10 @@ class Rim:
 
 
 def reach_under(rim: Floats, inside: Floats) -> Rim:
-    """Return the points ``rim`` (ring, 2) with a second line under a neighbouring piece that is drawn later.
+    """Return the rim (ring, 2), with a second line shifted under the neighbouring piece, drawn later.
 
-    ``inside`` (2,) is a point inside that piece, as projected. The way there from the common rim is inside
-    too, the piece being convex, and so on that piece's side of the plane between the two: whatever is seen
-    there is drawn later than what the rim belongs to.
+    ``inside`` (2,) is a projected point inside that piece. The piece is convex, so the segment
+    from the rim to this point lies inside it. Everything visible there is drawn after the rim's own piece.
     """
     away = inside - rim
     share = np.minimum(1.0, DEPTH / np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9))

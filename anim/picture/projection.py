@@ -49,7 +49,7 @@ class View:
         return np.append(towards / np.linalg.norm(towards), 0.0)
 
     def moved(self, rotation: Floats, place: Floats) -> "View":
-        """Return the view of the moved top's own coordinates: a body at rest, the eye moved instead."""
+        """Return the view in the coordinates of the moved top, in which the top is at rest."""
         motion = np.eye(4)
         motion[:3, :3], motion[:3, 3] = rotation, place
         view = View(self.matrix @ motion)

@@ -18,7 +18,7 @@ Value = Any  # Tree | dict[str, list[list[Tree]]]
 
 
 def without_matrices(tree: Tree, is_constant: Callable[[Tree], bool]) -> Tree:
-    """Return a statement about entries; ``is_constant`` tells which names mean elements of the field."""
+    """Return a statement about entries; ``is_constant`` says whether a name means an element of the field."""
     free = {name for name in MATRICES if not any(is_constant(("name", x)) for x in _names(name))}
     for node in walk(tree):
         maker = node[0] == "call" and node[1] in MAKERS

@@ -26,7 +26,7 @@ EVALUATION_COST = 400  # of evaluating a statement once
 
 
 def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[Setting, str]:
-    """Return where evidence of a kind is read, and the scope of what it shows."""
+    """Return the setting in which evidence of a kind is read, and the scope of its conclusion."""
     field = setting.field
     if field is None:
         scope = ORDERED_FIELDS

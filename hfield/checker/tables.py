@@ -111,7 +111,7 @@ class _Linear:
         return [ZERO if self.ring.is_zero(self.ring.value(c, text)) else c for c in found]
 
     def is_scalar(self, tree: Tree) -> bool:
-        """Return whether no basis vector stands in a term."""
+        """Return whether no basis vector occurs in a term."""
         return not any(node[0] == "name" and node[1] in self.names for node in walk(tree))
 
     def vector(self, tree: Tree) -> Vector:

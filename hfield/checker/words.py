@@ -124,7 +124,7 @@ class _Writer:
         return self.moduli[x]
 
     def helper(self) -> Tree:
-        """Return a scalar that is new in the statement."""
+        """Return a scalar that does not occur in the statement."""
         if not self.free:
             reject("there are too many moduli and comparisons")
         return ("index", ("name", self.free.pop(0)), 0)

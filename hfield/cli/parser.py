@@ -234,7 +234,7 @@ def add_repeated(parser: ArgumentParser, name: str, metavar: str, help: str) -> 
 
 
 def add_jobs(parser: ArgumentParser, dask: str = "") -> None:
-    """Declare ``--jobs``, and ``--dask`` where that has a help."""
+    """Declare ``--jobs``, and ``--dask`` if a help text for it is given."""
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")
     if dask:
         parser.add_argument("--dask", metavar="ADDRESS", help=dask)

@@ -71,7 +71,7 @@ class Code:
         return self.value(f"getelementptr {kind}, ptr {pointer}, i64 {index}")
 
     def load(self, kind: str, pointer: str, align: int = 0) -> str:
-        """Read a value; its address is a multiple of ``align``, else as usual of its type."""
+        """Read a value at an address that is a multiple of ``align``; 0 means the alignment of its type."""
         return self.value(f"load {kind}, ptr {pointer}" + (f", align {align}" if align else ""))
 
     def store(self, kind: str, value: str, pointer: str, align: int = 0, how: str = "") -> None:

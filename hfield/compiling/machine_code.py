@@ -186,6 +186,6 @@ class Announcer:
 
 
 def function(address: int) -> Function:
-    """Return the machine code at an address as a function of two 64-bit integers; it frees the lock."""
+    """Return code at an address as a function of two 64-bit integers that releases the interpreter lock."""
     made: Function = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)(address)
     return made

@@ -31,7 +31,7 @@ class Journal:
             raise ValueError("a line is nested too deeply") from None
 
     def append(self, found: list[Row]) -> None:
-        """Append rows in one write, and have them on the disk."""
+        """Append rows in one write, and flush them to the disk."""
         text = "".join(json.dumps(item) + "\n" for item in found)
         with self.path.open("ab") as file:
             file.write(text.encode())

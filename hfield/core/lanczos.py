@@ -169,7 +169,7 @@ def eigenvectors(
 
 
 def echelon(vectors: Sequence[np.ndarray]) -> tuple[list[np.ndarray], list[int]]:
-    """Return the reduced echelon basis of what vectors modulo the prime span, and its pivots."""
+    """Return the reduced echelon basis, modulo the prime, of the span of vectors, and its pivots."""
     basis, pivots = list[np.ndarray](), list[int]()
     for vector in vectors:
         rest = vector

@@ -67,7 +67,7 @@ class SparseRows(Sequence[dict[int, int]]):
 
     @property
     def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where rows start and end, columns, and entries: ``scipy.sparse.csr_array`` has their names.
+        """The starts of the rows, the columns and the entries, as in ``scipy.sparse.csr_array``.
 
         With ``starts, columns, entries = rows.arrays`` it is ``csr_array((entries, columns, starts))``.
         """

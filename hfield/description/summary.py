@@ -77,7 +77,7 @@ class Description:
         return f"<pre>{escape(str(self))}</pre>"
 
     def to_json(self) -> dict[str, object]:
-        """Return what programs read: scalars as texts, elements as four of them."""
+        """Return the summary as JSON data: scalars as texts, elements as four scalars."""
         A, F = self.algebra, self.algebra.ring
         a, t, b = (F.text(c) for c in A.constants)
         level = "inf" if F.level.value == INFINITY else F.level.value

@@ -130,7 +130,7 @@ class FiniteGroup:
         return lcm(*self.element_orders)
 
     def inverse(self, x: int) -> int:
-        """Return the place of the inverse."""
+        """Return the index of the inverse."""
         return int(self.power(np_array(x), self.order - 1)[0])
 
     def generated(self, generators: Sequence[int]) -> np.ndarray:
@@ -244,7 +244,7 @@ class FiniteGroup:
         return FiniteGroup(self.members[inside], self._multiply, int(self.members[self.identity]))
 
     def quotient(self, inside: np.ndarray) -> FiniteGroup:
-        """Return the quotient by a normal subgroup: its members are the least places in the cosets."""
+        """Return the quotient by a normal subgroup; its members are the least indices in the cosets."""
         import numpy as np
 
         normal = np.flatnonzero(inside)
@@ -266,7 +266,7 @@ def np_array(x: int) -> np.ndarray:
 
 
 def orbits(permutations: Sequence[np.ndarray], size: int) -> tuple[np.ndarray, ...]:
-    """Return the orbits of the numbers below ``size`` under permutations, in the order of their least."""
+    """Return the orbits of the numbers below ``size`` under permutations, ordered by their least numbers."""
     import numpy as np
 
     least = np.arange(size)

@@ -140,7 +140,7 @@ class PolynomialRing(Ring):
         return self.context.constant(int(c) if self.characteristic else c)
 
     def constant_part(self, x: SparsePolynomial) -> Coefficient:
-        """Return the leading coefficient, which a constant polynomial is, as an element of the base ring."""
+        """Return the leading coefficient as an element of the base ring: for a constant, its value."""
         c = x.leading_coefficient()  # 0 of the polynomial 0
         return self.base(int(c) if self.characteristic else c)
 

@@ -85,7 +85,7 @@ class Polygon:
         return None
 
     def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
-        """Move a point into the polygon by inverses of units; return it, and by which, in order."""
+        """Move a point into the polygon by inverses of units; return it and the numbers of the units."""
         path: list[int] = []
         while x != CENTER and (n := self.beyond(x)) is not None:
             path.append(n)

@@ -143,7 +143,7 @@ class Shape:
 
 
 def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
-    """Return the polygon of the group that units generate, or of as much of it as bounds it so far.
+    """Return the polygon that the found units of a group bound; it is the group's when no unit is missing.
 
     ``rows`` are units of sides, with their inverses, ``new`` are others.
     """

@@ -38,7 +38,7 @@ _FALSE = {"==": "≠", "!=": "=", ">=": "<", ">": "≤", "<=": ">", "<": "≥"} 
 def decision_text(
     statement: str, decision: Decision, algebra: str, field: str | None, style: TerminalStyle
 ) -> str:
-    """Write a statement in ``algebra``, or about all rings, and its decision; no field means all."""
+    """Return a statement in ``algebra``, and its decision, as text; if ``field`` is None, over all fields."""
     every = "for every ordered F" if is_about_order(statement) else "for every F"
     where = every if field is None else f"{over(field)}, {ring(field).in_words()}"
     if decision.method in (PRESENTATION, ALGEBRA):

@@ -196,7 +196,7 @@ class DeterminedBy:
 
 @dataclass(frozen=True)
 class CurriedIsLinear:
-    """Fixing the last argument at a basis vector leaves an m-linear map (``power`` 1; 2 spoils it)."""
+    """The claim that fixing the last argument as a basis vector leaves an m-linear map; false for power 2."""
 
     power: int = 1
 

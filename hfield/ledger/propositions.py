@@ -118,7 +118,7 @@ def decided(decision: Decision) -> dict[str, object]:
 
 
 def cited(*decisions: Decision) -> tuple[str, ...]:
-    """Return what several decisions cite."""
+    """Return the theorems that several decisions assume, each once."""
     return tuple(dict.fromkeys(text for decision in decisions for text in decision.assumes))
 
 

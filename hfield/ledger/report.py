@@ -76,7 +76,7 @@ def _counts(rows: Sequence[Row]) -> list[str]:
 
 
 def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
-    """Return the number of rows of each verdict, in lines of a width."""
+    """Return lines of the given width with the number of rows of each verdict."""
     counts = tally(rows)
     claims = {row.claim.id: row.claim for row in rows}
     beyond = [claim.id for claim in claims.values() if not claim.checkable]

@@ -77,7 +77,7 @@ class Translation:
         self._said: dict[str, str | None] = {}
 
     def for_claim(self, claim: Claim) -> TranslatedClaim | None:
-        """Return what a claim says, or None."""
+        """Return the translated text of a claim, or None."""
         return self._by_claim.get(claim.id)
 
     def printed(self, claim: Claim) -> str:

@@ -33,7 +33,7 @@ def over(field: str) -> str:
 
 
 def name_fields(some: Sequence[str], every: Sequence[str]) -> str:
-    """Return which of the columns ``every`` are meant, in the shortest of three forms.
+    """Return a text for some of the columns ``every``, in the shortest of three forms.
 
     >>> name_fields(["QQ", "RR"], ["QQ", "RR", "CC"])
     'QQ, RR'

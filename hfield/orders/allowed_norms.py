@@ -1,6 +1,6 @@
-"""The norms that an equivalent ideal may have: powers of a prime, or divisors of a smooth number.
+"""The norms that KLPT may give an equivalent ideal: powers of a prime, or divisors of a smooth number.
 
-KLPT takes two factors of such a norm, of given sizes, one after the other.
+The algorithm chooses two factors of such a norm, of given sizes, one after the other.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Powers:
         return self
 
     def divisible_by(self, n: int) -> bool:
-        """Return whether n is the prime."""
+        """Return whether n is the prime of which the allowed norms are powers."""
         return n == self.prime
 
 

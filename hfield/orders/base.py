@@ -2,7 +2,7 @@
 
 Computations use elements of ``field``; results for the user are elements of ``ring``. Ideals of ℤ are
 positive rational numbers. Lattices are matrices over the ``domain`` of the base, ℤ or 𝔽_q[t]. The kinds of
-base are distinguished here, in ``polynomial_base`` and in ``kernels``.
+base are distinguished only here, in ``polynomial_base`` and in ``kernels``.
 """
 
 from __future__ import annotations
@@ -301,7 +301,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the sign of an element at a real place, −1, 0 or 1."""
 
     def real(self, x: NumberT, place: int) -> float:
-        """Return about the value of an element at a real place."""
+        """Return an approximation to the value of an element at a real place."""
 
     def ball(self, x: NumberT, place: int) -> arb:
         """Return a ball around the value, with flint's present precision."""

@@ -1,4 +1,4 @@
-"""Numbers, ideals, primes and residues of a base, as functions that serve every base use them."""
+"""Protocols for the numbers, ideals, primes and residues of a base, for functions that serve every base."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """Bases of quaternion algebras over ℤ, and multiplication, conjugation and traces as integer matrices.
 
-An element is a row of 4n rational numbers: the coordinates in the integral basis ω of the base, n numbers
-each, of w, x, y, z in ``w + x·I + y·J + z·IJ``. Over ℚ these are the coordinates over (1, i, j, k), for any
-constants (a, t, b), fractions too. Over GF(q)(t) polynomials take the place of integers: n is 1, and a row
-has four rational functions. Matrices act on rows from the right.
+An element ``w + x·I + y·J + z·IJ`` is a row of 4n rational numbers. Each of w, x, y and z has n coordinates
+in the integral basis ω of the base. Over ℚ the row has the coordinates over (1, i, j, k); the constants
+(a, t, b) may be fractions. Over GF(q)(t) polynomials take the place of integers: n is 1, and a row has four
+rational functions. Matrices act on rows from the right.
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ class AlgebraBasis:
         return self.domain.matrix(len(self.pairs), self.size, entries)
 
     def left_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
-        """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
+        """Return ``scale`` times the matrix of ``q ↦ x·q``, for an integer row x."""
         return combined(self.left, row)
 
     def right_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
@@ -267,9 +267,9 @@ class AlgebraBasis:
         return [rows * form * columns for form in self.traces]
 
     def forms(self, rows: fmpz_mat) -> list[fmpz_mat]:
-        """Return matrices F of the coordinates of norms: ``x·F·x`` is ``form_factor·scale`` times too large.
+        """Return the matrices F for which ``x·F·x`` is ``form_factor·scale`` times a coordinate of N(x).
 
-        Over ℤ they are :meth:`grams`. In characteristic 2 those do not determine norms.
+        Over ℤ they are those of :meth:`grams`, which in characteristic 2 do not determine norms.
         """
         columns = rows.transpose()
         return [rows * form * columns for form in self.norm_forms]
@@ -284,7 +284,7 @@ class AlgebraBasis:
         return sum(terms[1:], terms[0]) * self.domain.fraction(1, self.scale)
 
     def norm_trace(self, row: Sequence[int | fmpz]) -> fmpz:
-        """Return Tr(N(x)) for an integer row, ``scale`` times too large: over ℤ the norm."""
+        """Return ``scale``·Tr(N(x)) for an integer row x; over ℤ, Tr(N(x)) is the norm."""
         return sum(c * row[m] * row[n] for m, n, c in self._squares)
 
     @cached_property

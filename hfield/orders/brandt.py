@@ -1,4 +1,4 @@
-"""Brandt matrices over any base: by neighbours, the relations of the Hecke algebra, or elements."""
+"""Brandt matrices over any base, computed from neighbours, Hecke relations or elements of given norm."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def of_prime(classes: Classes, P: Prime) -> fmpz_mat:
 
 
 def of_rows(rows: Sequence[Mapping[int, int]]) -> fmpz_mat:
-    """Return rows that count classes as a matrix."""
+    """Return the matrix whose rows are given as dictionaries from classes to counts."""
     expect_matrix_fits(len(rows))
     found = fmpz_mat(len(rows), len(rows))
     for i, row in enumerate(rows):

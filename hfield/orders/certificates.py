@@ -1,8 +1,7 @@
 """Orders, ideals and answers about them as certificates ``hfield-cert/2``.
 
-Statements over ℤ, the integers of a number field and 𝔽_q[t] have words and evidence of their own, which
-docs/reference/certificates.md lists. ``_Rational``, ``_OverField`` and ``_OverPolynomials`` are these three
-vocabularies.
+``_Rational``, ``_OverField`` and ``_OverPolynomials`` are the vocabularies of statements and evidence over
+ℤ, the integers of a number field and 𝔽_q[t]. docs/reference/certificates.md lists them.
 """
 
 from __future__ import annotations
@@ -74,7 +73,7 @@ Refutation = tuple[str, dict[str, object]]
 
 
 def of_order(order: LatticeValue) -> CertifiedClaim:
-    """Return that this is an order of its discriminant; and maximal, if the checker can tell."""
+    """Return a certified claim of the discriminant of an order, and of its maximality if possible."""
     words = _words(order.ambient)
     about = f"{text(order)}; {words.size(discriminant(order))}"
     if words.states_maximality and level(order) == 1:
@@ -350,7 +349,7 @@ class _Words(Protocol):
         """Return the evidence that no element carries one ideal to another, if there is any."""
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
-        """Return what shows that definite orders of one discriminant are not isomorphic, if it is found."""
+        """Return a proof that definite orders of one discriminant are not isomorphic, or None."""
 
 
 def _words(ambient: AlgebraBasis) -> _Words:
@@ -421,8 +420,8 @@ class _Rational:
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
         """Return a trace and norm of which one order has more elements.
 
-        Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far
-        enough.
+        Ternary theta series, to sufficiently many terms, distinguish all orders (Schiemann, *Math. Ann.* 308,
+        1997).
         """
         orders = [first, second]
         grams = [order.reduced_ternary[2] for order in orders]

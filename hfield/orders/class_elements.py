@@ -1,8 +1,8 @@
-"""Elements between ideals of one class: γ with J = γ·I for the representative I of the class of J.
+"""Find the element γ with J = γ·I, for an ideal J and the representative I of its class.
 
-The lattices y⁻¹·I for the shortest elements y of I are those of its class (:mod:`hfield.orders.class_keys`).
-So if x⁻¹·J = y⁻¹·I for a short element x of J, then γ = x·y⁻¹. Scalars do not matter here: elements are
-integer rows, up to rational factors.
+The class set recognises the class of I by the lattices y⁻¹·I for the shortest elements y of I
+(:mod:`hfield.orders.class_keys`). If x⁻¹·J = y⁻¹·I for a short element x of J, then γ = x·y⁻¹. Elements
+are computed up to rational factors, as integer rows.
 """
 
 from __future__ import annotations

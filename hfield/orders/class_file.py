@@ -1,8 +1,8 @@
 """A file of classes and rows of neighbours, from which an interrupted run resumes.
 
-It has JSON lines: first the order, then one line a block of rows, with the classes that are new in it. Each
-line has a digest of itself and of the order, so that damaged and edited lines, and lines of other orders, are
-refused. A digest proves nothing against forgery: a certificate of the class set proves the classes anew.
+The first JSON line describes the order. Each further line has a block of rows and the new classes in them,
+with a digest of itself and of the order. Damaged or edited lines, and lines of other orders, are rejected. A
+digest does not protect against forgery; a certificate of the class set proves the classes independently.
 """
 
 from __future__ import annotations
@@ -76,9 +76,9 @@ class ClassFile:
         rows: Sequence[Mapping[int, int]],
         new: Sequence[tuple[int, int | None, PackedClass]],
     ) -> None:
-        """Add the rows of a prime from a first one on, and new classes.
+        """Append the rows of a prime, from row ``first`` on, and the new classes in them.
 
-        These are given with their numbers, and the numbers of the classes exchanged with them.
+        Each new class comes with its number, and with the number of the class exchanged with it.
         """
         line = {
             "prime": base.ideal_text(base.prime_ideal(prime)),

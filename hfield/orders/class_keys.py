@@ -182,7 +182,7 @@ class SublatticeKeys:
 
     @property
     def norm_scale(self) -> Integer:
-        """The factor by which coordinates of norms are too large."""
+        """The common factor of the computed coordinates of norms."""
         return self._ambient.scale * self.den**2 * self._ambient.domain.form_factor
 
     def norm_of_sum(self, numbers: Sequence[int]) -> list[fmpz]:

@@ -1,7 +1,7 @@
-"""The representatives of ideal classes, a packed row of integers each, and their numbers by keys.
+"""Store the representatives of ideal classes as packed rows of integers, and find their numbers by keys.
 
-A class takes some 300 bytes over ℚ: 10⁶ classes fit into memory. Matrices and norms are made when they are
-read.
+A class takes about 300 bytes over ℚ, so 10⁶ classes fit into memory. Matrices and norms are unpacked when
+they are needed.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class Norms(Sequence[Norm]):
 
 
 def pack_class(ambient: AlgebraBasis, found: Representative) -> PackedClass:
-    """Return a representative with what it has as bytes and integers."""
+    """Return a representative, with its keys and its number of units, as bytes and integers."""
     number, below = ambient.base.coordinate_rows([found.norm.element]).numer_denom()
     numbers = [below, *number.entries(), found.den, *found.rows.entries()]
     record = pack([found.norm.number, *map(ambient.domain.code, numbers)])

@@ -1,14 +1,15 @@
-"""The invertible right ideal classes of an order in a totally definite algebra, enumerated.
+"""Enumerate the invertible right ideal classes of an order in a totally definite algebra.
 
-A class is known by lattices that lie in it (:mod:`hfield.orders.class_keys`), so classes are looked up and
-not compared in pairs. Starting from O, neighbours at primes are taken until the mass is used up: then no
-class is missing, and as all are different none comes twice (M. Kirschmer and J. Voight, *SIAM J. Comput.* 39,
-2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). Where local units do not have all norms, or
-where there are several narrow classes, neighbours at one prime reach a part of the classes.
+Classes are looked up by keys, which are lattices in the class (:mod:`hfield.orders.class_keys`), and not
+compared in pairs. The enumeration starts from O and adds neighbours at primes until the masses of the classes
+found sum to the mass of the order. Then no class is missing (M. Kirschmer and J. Voight, *SIAM J. Comput.*
+39, 2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). If the norms of local units are not all
+local units of the base, or if there are several narrow classes, neighbours at one prime do not reach all
+classes.
 
-In large sets the class of I·J, J a two-sided prime ideal, is found with that of I, and its rows of neighbours
-are those of I with the classes exchanged: half as many neighbours are looked up, and fewer are waited for at
-the end. Rows of Brandt matrices are kept by primes, and continued from where the enumeration stopped.
+In large sets the class of I·J, for a two-sided prime ideal J, is found together with that of I. The product
+with J permutes the classes, and this permutation turns the rows of neighbours of I into those of I·J. So half
+as many neighbours are looked up. Rows of Brandt matrices are stored by primes, and later calls continue them.
 """
 
 from __future__ import annotations

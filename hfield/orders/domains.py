@@ -1,7 +1,7 @@
 """The principal ideal domains over which lattices are matrices: ℤ, and polynomials over a finite field.
 
-A lattice over ℤ or ℤ_K is a matrix over ℤ, one over 𝔽_q[t] a matrix over 𝔽_q[t]. What differs between the two
-is here: matrices, fractions, linear algebra modulo a prime, and short vectors.
+A lattice over ℤ or ℤ_K is a matrix over ℤ; one over 𝔽_q[t] is a matrix over 𝔽_q[t]. This module has all that
+differs between the two: matrices, fractions, linear algebra modulo a prime, and short vectors.
 """
 
 from __future__ import annotations
@@ -225,7 +225,7 @@ class IntegerDomain:
         return (matrix * fmpq(1, n)).numer_denom()[0]
 
     def lowest_terms(self, den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
-        """Return the matrix itself where the diagonal shows that the denominator is the least."""
+        """Return a triangular matrix over its least denominator; often the diagonal suffices to find it."""
         before, common = fmpz(0), fmpz(den)
         for k in range(matrix.nrows()):
             if common == before:
@@ -254,7 +254,7 @@ class IntegerDomain:
         return c if 2 * c < p else c - p
 
     def remove(self, x: int | fmpz, p: int) -> tuple[int, int]:
-        """Return the exponent of p, and the rest."""
+        """Return the exponent of p in a number, and the cofactor prime to p."""
         return remove(int(x), p)
 
     def length(self, value: fmpq | int) -> fmpq | int:
@@ -471,7 +471,7 @@ class PolynomialDomain:
         return x % p
 
     def remove(self, x: Integer, p: fq_default_poly) -> tuple[int, fq_default_poly]:
-        """Return the exponent of p, and the rest."""
+        """Return the exponent of p in a number, and the cofactor prime to p."""
         n, x = 0, self.integer(x)
         while True:
             quotient, rest = divmod(x, p)

@@ -1,13 +1,14 @@
 """Systems of eigenvalues of Hecke operators on cusp forms, split over ℚ into Galois orbits of newforms.
 
-Functions on the right ideal classes of an Eichler order, invariant under the ideals of K, are the modular
-forms of its level that are new at the primes of the algebra; in weight 2 those that depend on the norm alone
-are no cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and J. Voight,
-"Explicit methods for Hilbert modular forms", 2013). A newform of level m comes in level N as often as N/m has
-divisors, with the same eigenvalues off N. So the characteristic polynomial of a Hecke operator on the new
-subspace of level N is that on all functions, divided by those on the new subspaces of the levels that divide
-N. All this is done modulo primes p of 62 bits. Deligne's bound of the eigenvalues bounds the coefficients, so
-that finitely many primes prove the integral polynomial.
+The functions on the right ideal classes of an Eichler order that are invariant under the ideals of K are the
+modular forms of its level that are new at the primes of the algebra. In weight 2 the functions of the norm
+alone are no cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and
+J. Voight, "Explicit methods for Hilbert modular forms", 2013).
+
+A newform of level m has one copy in level N for each divisor of N/m, with the same eigenvalues at primes that
+do not divide N. So the characteristic polynomial of a Hecke operator on the new subspace of level N is that
+on all functions, divided by those of the copies from proper divisors of N. It is computed modulo primes of
+62 bits. Deligne's bound of the eigenvalues bounds its coefficients, so finitely many primes prove it.
 
 Let T be a combination of Hecke operators whose polynomial on the new subspace has no multiple root, and none
 in common with those of lower levels. Such a T exists by multiplicity one. Then each irreducible factor g of

@@ -1,9 +1,10 @@
 """Totally real number fields of eigenvalues, given by small polynomials.
 
-The field ℚ[x]/(g) of an algebraic integer often has a much smaller defining polynomial. As the field is
-totally real, the trace form Tr(x·y) is positive definite, and integral on integers. So a lattice of integers
-is reduced by exact LLL, and a short element that generates the field is taken (H. Cohen, *A Course in
-Computational Algebraic Number Theory*, section 4.4.2).
+The field ℚ[x]/(g) of an algebraic integer often has a much smaller defining polynomial. The field is totally
+real, so the trace form Tr(x·y) is positive definite, and it is integral on algebraic integers. LLL reduces a
+lattice of algebraic integers with this form, in exact arithmetic. The minimal polynomial of a short element
+that generates the field is the new polynomial (H. Cohen, *A Course in Computational Algebraic Number Theory*,
+section 4.4.2).
 """
 
 from __future__ import annotations

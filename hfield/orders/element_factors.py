@@ -1,9 +1,9 @@
 """Factor an element of an order into a unit and elements of prime norms, in a given order of the primes.
 
-A last factor π of norm P generates a left ideal of norm P that contains x. Where P·O does not contain x,
-and P does not divide the discriminant, there is one such ideal, O·x + P·O: so the factors of a primitive
-element are unique up to units between them (Conway and Smith, *On Quaternions and Octonions*, chapter 5).
-Elsewhere all ideals of norm P that contain x are tried, for each of the factors.
+A last factor π of norm P generates a left ideal of norm P that contains x. If x is not in P·O and P does not
+divide the discriminant, O·x + P·O is the only such ideal. So the factors of a primitive element are unique up
+to units between them (Conway and Smith, *On Quaternions and Octonions*, chapter 5). In all other cases every
+ideal of norm P that contains x is tried.
 """
 
 from __future__ import annotations

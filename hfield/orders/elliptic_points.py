@@ -1,13 +1,14 @@
 """Count the elliptic points of the group of an Eichler order over ℤ_K, by Eichler's embedding numbers.
 
-An elliptic point of order q is fixed by the units of norm 1 of an optimally embedded quadratic order S. It
-has 2q roots of unity, and generates L = K(ζ), with ζ of order 2q. A real place splits in the algebra and not
-in L, so S is embedded equally often in all orders of the genus. Let C be h(L)/(h(K)·Q·w), with Hasse's index
-Q of units and the number w of roots of unity of L. There are as many elliptic points of order q as
+An elliptic point of order q is fixed by the units of norm 1 of an optimally embedded quadratic order S. The
+order S has 2q roots of unity, and generates L = K(ζ), with ζ of order 2q. At some real place the algebra
+splits and L is complex, so S has equally many embeddings in all orders of the genus. Let C be
+h(L)/(h(K)·Q·w), with Hasse's unit index Q and the number w of roots of unity of L. The number of elliptic
+points of order q is
 
     2q·C·Σ_S [Ô_L^×:Ŝ^×]·∏_P m_P(S)
 
-(J. Voight, *Quaternion Algebras*, theorems 30.4.7 and 31.1.7 and section 39.4). Units of K and of S drop out.
+(J. Voight, *Quaternion Algebras*, theorems 30.4.7 and 31.1.7 and section 39.4). Units of K and of S cancel.
 """
 
 from __future__ import annotations

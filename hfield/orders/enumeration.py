@@ -1,9 +1,9 @@
-"""Vectors of bounded length in a positive definite integral form, exactly, after Fincke and Pohst.
+"""Enumerate the vectors of bounded length in a positive definite integral form, exactly (Fincke and Pohst).
 
-With the leading minors dᵢ of the Gram matrix (d₀ = 1) and the rows Lᵢ of Bareiss' elimination, integral
-linear forms, ``Q(x) = Σ Lᵢ(x)²/(dᵢ₋₁·dᵢ)``. What is left of a bound after the last coordinates are chosen
-is a fraction over dᵢ₋₁, so the whole search runs in integers and no vector is lost to rounding, however
-long the entries (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
+Let dᵢ be the leading minors of the Gram matrix (d₀ = 1), and Lᵢ the integral linear forms that are the rows
+of Bareiss' elimination. Then ``Q(x) = Σ Lᵢ(x)²/(dᵢ₋₁·dᵢ)``. When the last coordinates are chosen, the rest of
+the bound is a fraction over dᵢ₋₁. So the search computes with integers only, and rounding loses no vector,
+however long the entries are (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
 """
 
 from __future__ import annotations

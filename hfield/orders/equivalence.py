@@ -4,9 +4,9 @@
 are finitely many such norms. In a totally definite algebra an element of such a norm is a vector of least
 possible length in a positive definite lattice. A complete enumeration of these vectors finds an element or
 proves that there is none (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In other algebras strong
-approximation decides. If exactly one infinite place splits and it is real, a search for an element comes
-first: over ℚ among short vectors of a majorant of the norm form, then, over every base, among short vectors
-of the definite forms that belong to points of the hyperbolic plane.
+approximation decides. If the algebra splits at exactly one infinite place, a real one, a search
+for an element precedes: over ℚ among short vectors of a majorant of the norm form, then, over every base,
+among short vectors of the definite forms that belong to points of the hyperbolic plane.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Read elements, lattices, orders and ideals as Sage, Magma and PARI write them, and rows of coordinates.
 
-Read are the texts that ``text_for`` writes; what Sage prints of an order and a fractional ideal; lists of
-elements, as Magma prints a basis; PARI's columns; rows of coordinates in lists, or as matrices are printed.
-A text that names its algebra is read in that algebra only.
+These texts are read: those that ``text_for`` writes, Sage's output for orders and fractional ideals, lists of
+elements as Magma prints a basis, PARI's columns, and rows of coordinates as lists or as a printed matrix. A
+text that names its algebra is read in that algebra only.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Lattices, orders and ideals as code for Sage, Magma and PARI."""
+"""Write lattices, orders and ideals as code for Sage, Magma and PARI."""
 
 from __future__ import annotations
 

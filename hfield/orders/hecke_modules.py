@@ -1,4 +1,4 @@
-"""The functions on the ideal classes as a module of Hecke operators, modulo the ideals of the base."""
+"""The functions on ideal classes, modulo the ideals of the base, as a module over the Hecke algebra."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Lattices of full rank as matrices over a denominator: the Hermite form, and what follows.
+"""Lattices of full rank as matrices over a denominator: the Hermite form, and operations by means of it.
 
 Entries are integers, or polynomials over a finite field (:mod:`hfield.orders.domains`).
 
-A lattice is ``(den, rows)``: the rows of a row Hermite normal form over the least denominator. It is
-unique, so two lattices are equal exactly when these are (Cohen, *A Course in Computational Algebraic
+A lattice is a pair ``(den, rows)``: the row Hermite normal form over the least denominator. This pair is
+unique, so two lattices are equal exactly when their pairs are (Cohen, *A Course in Computational Algebraic
 Number Theory*, section 2.4.2).
 """
 

@@ -1,8 +1,8 @@
-"""Two generators of an invertible ideal: a number, or over ℤ_K an ideal of the field, and an element.
+"""Find two generators of an invertible ideal: an element, and a number, or over ℤ_K an ideal of the field.
 
 Let m be the largest scalar factor of I, so that I = m·J with J primitive of norm 𝔫. Then m·𝔫 lies in I, and
-``I = O·m·𝔫 + O·x`` for every x in I with N(x)/N(I) prime to 𝔫. At the primes of 𝔫 it is O·x, at the others
-m·O (Voight, *Quaternion Algebras*, section 16.3).
+``I = O·m·𝔫 + O·x`` for every x in I with N(x)/N(I) prime to 𝔫. At the primes of 𝔫 both sides are O·x, at all
+others m·O (Voight, *Quaternion Algebras*, section 16.3).
 """
 
 from __future__ import annotations

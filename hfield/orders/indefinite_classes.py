@@ -1,8 +1,9 @@
-"""The right ideal classes of orders over ℤ_K where the algebra splits at an infinite place.
+"""The right ideal classes of orders over ℤ_K in algebras that split at an infinite place.
 
-By strong approximation I and J are in one class where N(I)/N(J) has a generator that is positive at the real
-places at which the algebra ramifies, for orders of which all local units are norms: those with the Eichler
-symbol 1 or −1 at each prime of the discriminant (M. Eichler, 1938; Voight, *Quaternion Algebras*, ch. 28).
+Assume that every local unit of the base is a norm of a unit of the order. This holds if the Eichler symbol is
+1 or −1 at each prime of the discriminant. Then, by strong approximation, I and J are in one class exactly if
+N(I)/N(J) has a generator that is positive at the real places at which the algebra ramifies (M. Eichler, 1938;
+Voight, *Quaternion Algebras*, ch. 28).
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""Equivalent ideals of small prime norm, or whose norm divides a smooth number or is a power of a prime.
+"""Find equivalent ideals with small prime norm, with a norm dividing a smooth number, or of prime power norm.
 
-The latter by the algorithm of Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path problem"
+The last two use the algorithm of Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path problem"
 (2014). Let I be a left ideal of a p-extremal order, of prime norm N. Three elements are found: γ of norm N·T₁
 (RepresentInteger), μ₀ = (C + D·s)·β with γ·μ₀ in I (IdealModConstraint), and μ = λ·μ₀ + N·μ₁ of norm T₂
-(StrongApproximation). Then γ·μ lies in I and has the norm N·T₁·T₂. With the last coordinates of μ₁ the
-closest in a lattice, T₂ is about p·N³ and T₁·T₂ about p³.
+(StrongApproximation). Then γ·μ lies in I and has the norm N·T₁·T₂. The last coordinates of μ₁ are chosen by
+a closest vector in a lattice; then T₂ is about p·N³ and T₁·T₂ about p³.
 
-From another maximal order O the way leads through an extremal order E and the ideal K that connects E to O.
-With x in K and y in K·I the element conj(x)·y/N(K) is in I.
+Another maximal order O is connected to an extremal order E by an ideal K. If x is in K and y in K·I, then
+conj(x)·y/N(K) is in I.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Labels of orders over ℤ: texts that are equal exactly for isomorphic orders.
 
-A definite order has its reduced ternary form as label. Orders are isomorphic exactly when their ternary forms
-are equivalent up to a sign (Voight, *Quaternion Algebras*, theorem 22.1.1), a definite order has a positive
-form, and equivalent positive forms have one reduced form. An Eichler order of level N in an indefinite
-algebra of discriminant D has the label ``D.N``: it is the only one up to conjugation, by strong approximation
-(Voight, theorem 28.2.11). Other orders have no label yet.
+The label of a definite order is its reduced ternary form. Orders are isomorphic exactly when their ternary
+forms are equivalent up to a sign (Voight, *Quaternion Algebras*, theorem 22.1.1). The form of a definite
+order is taken positive, and equivalent positive forms have the same reduced form. The label of an Eichler
+order of level N in an indefinite algebra of discriminant D is ``D.N``: by strong approximation the order is
+unique up to conjugation (Voight, theorem 28.2.11). Other orders have no label yet.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Lattices, orders, ideals and class sets: the public classes.
 
-They stand in one module because they make one another: a lattice its orders, an order its ideals and its
-classes, an ideal its order. What takes an algorithm is a function on values in a module below.
+They are in one module because their methods return one another: a lattice returns its orders, an order its
+ideals and its class set, an ideal its orders. Algorithms are functions on values, in other modules.
 """
 
 from __future__ import annotations
@@ -764,7 +764,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return Ideal(value, side, self)
 
     def two_sided_prime(self, prime: object) -> Ideal:
-        """Return the two-sided ideal at P that generates, with the scalars, all invertible ones there.
+        """Return a two-sided ideal that generates, with scalars, the invertible two-sided ideals at P.
 
         Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
@@ -1153,7 +1153,7 @@ class Ideal(Certified, Lattice):
         return Ideal.of(found, "left")
 
     def primitive_part(self) -> tuple[Ideal, ShownIdeal]:
-        """Return (J, m) with I = m·J, J integral, and in no m·O but for m = 1; m is an int or an ideal.
+        """Return (J, m) with I = m·J, where J is integral and primitive; m is an int or an ideal.
 
         Raises :class:`LatticeError` unless the ideal is integral.
 

@@ -1,9 +1,9 @@
 """Lattices of an algebra as values: a Hermite form over its least denominator, and their arithmetic.
 
-A lattice is a module over the integers of the base field, of rank 4; it is kept as one over the domain of the
-base, over ℤ of rank 4n, in the coordinates of :mod:`hfield.orders.basis`. Class numbers of the base play no
-part. That two lattices lie in one algebra is not checked here (Voight, *Quaternion Algebras*, chapters 9, 10,
-15 and 16).
+A lattice is a module of rank 4 over the integers of the base field. It is stored as a free module over the
+domain of the base, of rank 4n over ℤ, in the coordinates of :mod:`hfield.orders.basis`. So the class number
+of the base does not matter. Functions do not check that two lattices lie in one algebra (Voight, *Quaternion
+Algebras*, chapters 9, 10, 15 and 16).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Squares modulo powers of a prime number, and whether a quadratic order is maximal at it."""
+"""Decide whether a number is a square modulo prime powers, and whether a quadratic order is maximal at p."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The mass formula, and Eichler's class number formula: numbers of ideal classes without enumeration.
+"""The mass formula, and Eichler's class number formula: class numbers without enumeration.
 
 The mass is ``Σ 1/[O_L(I)^× : ±1]`` over the ideal classes (Voight, *Quaternion Algebras*, theorem 26.1.5),
-and Eichler's class number formula adds to it what orders with more units than ±1 take away (30.1.5).
+and Eichler's class number formula adds the contribution of orders with units other than ±1 (30.1.5).
 """
 
 from __future__ import annotations

@@ -115,7 +115,7 @@ class Neighbours:
 
 @lru_cache(maxsize=64)
 def neighbours_at(order: LatticeValue, prime: Prime) -> Neighbours:
-    """Return the right ideals of norm P in an order, and with them those in its right ideals."""
+    """Return the right ideals of norm P in an order, from which those in its right ideals are computed."""
     return Neighbours(order, prime)
 
 

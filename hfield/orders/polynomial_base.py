@@ -49,7 +49,7 @@ class PolynomialNarrowClass:
         self.ideals = (one,)
 
     def split(self, ideal: FunctionFieldIdeal) -> tuple[int, RationalFunction]:
-        """Return 0, and the generator."""
+        """Return 0, the number of the only ideal class, and the generator of the ideal."""
         return 0, ideal.x
 
 

@@ -261,7 +261,7 @@ def _of_trace_zero(order: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
 
 
 def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:
-    """Return whether only integers of the base take a vector of a lattice into the lattice."""
+    """Return whether c·v is in the lattice only for integers c of the base, for a vector v of the lattice."""
     multiples = hermite.stacked(vector, *(vector * m for m in multiplications))
     return bool(hermite.volume(multiples.transpose().hnf()) == 1)
 

@@ -42,7 +42,7 @@ def expect_definite(ambient: AlgebraBasis, what: str) -> None:
 
 
 def up_to(lattice: LatticeValue, bound: int) -> Iterator[tuple[Row, int]]:
-    """Yield one of ±x for the x ≠ 0 with Tr(N(x)) at most ``bound`` times the content, and their multiples.
+    """Yield one of ±x for each x ≠ 0 with Tr(N(x)) ≤ ``bound``·content, and the integer Tr(N(x))/content.
 
     Elements are rows over the denominator of the lattice.
     """
@@ -179,7 +179,7 @@ def _signed(lattice: LatticeValue, rows: Iterable[Row]) -> tuple[Quaternion, ...
 
 
 def theta_series(lattice: LatticeValue, n: object) -> ThetaSeries:
-    """Return how many elements have which norm. Raises :class:`TooLargeError`.
+    """Return the number of elements of each norm. Raises :class:`TooLargeError`.
 
     Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
     at most n, ascending by traces; over polynomials for those of degree at most n, ascending by degrees.

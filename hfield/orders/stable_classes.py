@@ -34,7 +34,7 @@ from hfield.orders.orders_at_primes import OrderAtPrime
 
 @dataclass(frozen=True)
 class LocalNorms:
-    """Norms of local units at one prime: classes modulo squares are numbers of ``size`` binary digits."""
+    """Norms of local units at one prime. A class modulo squares is a number of ``size`` bits."""
 
     prime: Prime
     size: int
@@ -109,7 +109,7 @@ def _norms(order: LatticeValue, P: Prime) -> Iterator[BaseNumber]:
 
 
 class WithStableClasses:
-    """Stable classes, of an order."""
+    """The methods of an order that concern stable classes."""
 
     mass: Callable[[], Fraction]
     unit_index: Callable[[], int]
@@ -150,7 +150,7 @@ class ByStableClasses:
     _stable_class: Callable[[int], Hashable]
 
     def stable_classes(self) -> list[int]:
-        """Return for each class of I the number of its stable class, that of all J with I ⊕ O ≅ J ⊕ O.
+        """Return the number of the stable class of each class: I and J are in one if I ⊕ O ≅ J ⊕ O.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()

@@ -45,7 +45,7 @@ def other_root(
 def other_roots(
     F: Ring, f: Sequence[Matrix], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Iterator[Matrix]:
-    """Yield all these roots over a finite field."""
+    """Yield all roots outside the given spheres, over a finite field."""
     content, primitive = _row(F, f)
     w = [multiplied(F, entry, content) for entry in primitive]
     yield from _roots_at(F, w, spheres, product(F.elements(), repeat=2), every=True)

@@ -36,7 +36,7 @@ class Clock:
         return thread_time() > self.end
 
     def within(self, seconds: float) -> Clock:
-        """Return a clock that runs out after so many seconds, or with this one."""
+        """Return a clock that ends after so many seconds, but not later than this one."""
         return Clock(min(self.end, thread_time() + seconds))
 
     def share(self, part: float, least: float = 0.0) -> Clock:

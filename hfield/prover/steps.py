@@ -13,7 +13,7 @@ class Step(str):
     slots: Mapping[str, str]
 
     def at(self, text: str) -> "Step":
-        """Return the line with other blanks around it."""
+        """Return the step with its text indented differently."""
         line = Step(text)
         line.name, line.slots = self.name, self.slots
         return line

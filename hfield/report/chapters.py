@@ -32,12 +32,12 @@ Progress = Callable[[int, int, str], None]
 
 
 def names() -> list[str]:
-    """Return the names of the chapters that there are."""
+    """Return the names of all chapters."""
     return sorted(entry_points(group=GROUP).names)
 
 
 def require(wanted: Sequence[str]) -> None:
-    """Raise :class:`ChapterError` for a name that no package brings."""
+    """Raise :class:`ChapterError` for a chapter that no installed package has."""
     known = names()
     for name in wanted:
         if name not in known:

@@ -403,5 +403,5 @@ class Certificates:
         return self._numbers.get((row.claim.id, row.field, corrected))
 
     def packed(self) -> str:
-        """Return all of them, lines joined, deflated (RFC 1950), in base64."""
+        """Return the lines, joined, deflated (RFC 1950) and encoded in base64."""
         return b64encode(zlib.compress("\n".join(self._lines).encode(), 9)).decode()

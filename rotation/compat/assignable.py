@@ -27,7 +27,7 @@ class Assignable:
 
     @property
     def single(self) -> bool:
-        """Whether this is one and not an array of them."""
+        """Whether this is a single rotation or transform, and not an array."""
         return not self.shape
 
     @property

@@ -166,14 +166,14 @@ def ratios(times: Array) -> Array:
 
 
 def taken(array: Array, n: Array) -> Array:
-    """Return the rows of an array along its first axis that whole numbers n (…) say."""
+    """Return ``array[n]``: the rows, along the first axis, with the whole numbers n of any shape."""
     xp = namespace(array)
     rows = xp.take(array, xp.reshape(n, (-1,)), axis=0)
     return xp.reshape(rows, (*n.shape, *rows.shape[1:]))
 
 
 def picked(rotations: Rotation, n: Array) -> Rotation:
-    """Return of rotations those that whole numbers n (…) say; any array library can."""
+    """Return ``rotations[n]`` for whole numbers n of any shape, in any array library."""
     return Rotation._of(taken(rotations._q, n))
 
 

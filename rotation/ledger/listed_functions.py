@@ -1,4 +1,4 @@
-"""The common part of claims on programs, which are about no field and count functions."""
+"""The base class of claims about programs, which concern no field: they count functions."""
 
 from hfield.ledger.claim import Computed, ComputedResult
 from rotation import thesis

@@ -53,7 +53,7 @@ class Entry(Code):
         self.answer(where, filling, out, flag, slot)
 
     def require(self, *conditions: str) -> None:
-        """Return None, which says that nothing was done, unless all conditions hold."""
+        """Emit code that returns None, for "nothing was done", unless all conditions hold."""
         self.leave(self.value(f"xor i1 {self.every(*conditions)}, true"), self.nothing)
 
     def every(self, *conditions: str) -> str:

@@ -81,7 +81,7 @@ def cos(x: Array) -> Array:
 
 
 def round(x: Lanes) -> Lanes:
-    """Return the nearest whole numbers, of numbers below 2⁵¹; of two the even one."""
+    """Return the nearest whole numbers of numbers below 2⁵¹; ties go to the even one."""
     return (x + ROUND) - ROUND
 
 

@@ -31,7 +31,7 @@ class Gif(Encoded):
 
     @contextmanager
     def open(self, path: Path, film: Film, samples: Samples | None) -> Iterator[Write]:
-        """Yield a function that sends a frame to ffmpeg, which has the palette as a picture."""
+        """Yield a function that sends a frame to ffmpeg; ffmpeg reads the palette from a picture."""
         palette = path.with_suffix(".palette.png")
         try:
             write_palette(palette, samples() if samples else ())

@@ -32,7 +32,9 @@ class Mp4(Encoded):
         super().check(film)
 
     def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Pixels], memoryview]]:
-        """Return luma and chroma: averaged over each block of four, which keeps the most of sharp bands."""
+        """Return ffmpeg's options for luma and chroma, and the function that converts a frame to them.
+
+        In large pictures the chroma of each block of 2 × 2 pixels is averaged."""
         from anim.output.luma import planes
 
         width, height = film.size

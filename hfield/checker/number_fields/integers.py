@@ -308,7 +308,7 @@ def field_of(setting: Setting) -> NumberField:
 
 
 def coefficients(ring: Any, x: Any) -> Element:
-    """Return an element as coefficients of 1, s, s², …; over ℚ and over functions it is the only one."""
+    """Return the coefficients of 1, s, s², … in an element; over ℚ and over functions, the element alone."""
     if isinstance(ring, Rationals | Functions):
         return (x,)
     return pair(x) if isinstance(ring, Quadratic) else tuple(x)

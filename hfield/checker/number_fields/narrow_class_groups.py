@@ -91,7 +91,7 @@ class NarrowClasses:
         return whole == times_primes(integers, powers(-1), above)
 
     def need_totally_positive(self, x: Element) -> Element:
-        """Return the inverse of a totally positive number."""
+        """Return the inverse of a number; reject it unless it is totally positive."""
         if any(sign != 1 for sign in self.field.signs(x)):
             reject("the norm of an ideal is given by a totally positive number")
         inverse = self.field.inverse(x)

@@ -37,7 +37,7 @@ from hfield.checker.rejection import a_list, an_integer, reject
 
 
 def is_embedded(given: Given, parts: Parts) -> CheckResult:
-    """Some x in O has this discriminant and generates all that is integral of its field in O."""
+    """Check that some x in O has this discriminant and that ℤ[x] is optimally embedded in O."""
     order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
     _need_embedding(order, given.element(given.data["element"]), d)
     return CheckResult(FIELD, ELEMENT)

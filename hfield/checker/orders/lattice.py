@@ -48,7 +48,7 @@ class Lattice:
 
     @cached_property
     def bits(self) -> int:
-        """The bit length of the numbers, with those of the algebra."""
+        """The bit length of the longest number in the lattice, plus that of the algebra."""
         return longest([(self.den,), *self.rows]) + self.algebra.bits
 
     def pay(self, matrices: int, bits: int = 0) -> None:
@@ -179,6 +179,6 @@ class Lattice:
         )
 
     def norm_of(self, x: Row) -> Row:
-        """Return the norm of an element, by coordinates in the rows; 2·``unit`` times too large."""
+        """Return 2·``unit`` times the norm of the element with these coordinates in the rows."""
         values = (sum(c * d for c, d in zip(times([x], g)[0], x, strict=True)) for g in self.gram)
         return tuple(values)

@@ -45,7 +45,7 @@ Row = Mapping[int, int]
 
 
 def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResult:
-    """These are the Galois orbits of newforms of weight 2, with the eigenvalues at some primes."""
+    """Check that these are the Galois orbits of newforms of weight 2, with eigenvalues at some primes."""
     if a_whole_number(parts[1], "a weight") != 2:
         reject("newforms are checked in weight 2")
     if given.class_number != 1:

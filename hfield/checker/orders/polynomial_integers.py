@@ -42,7 +42,7 @@ class FiniteFieldPolynomial:
 
     @property
     def to_normal(self) -> "FiniteFieldPolynomial":
-        """The constant by which this has to be multiplied to be monic."""
+        """The constant that makes the polynomial monic when it is multiplied by it."""
         return FiniteFieldPolynomial(self.base, [self.base.inverse(self.lead)])
 
     def at(self, degree: int) -> Hashable:

@@ -1,4 +1,4 @@
-"""The algebra at a real place: rows of four numbers that are ordered, which are integers over ℚ."""
+"""The algebra at a real place: elements are rows of four numbers of an ordered ring, over ℚ of integers."""
 
 from collections.abc import Sequence
 from math import gcd

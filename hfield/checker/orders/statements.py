@@ -56,7 +56,7 @@ AnyGiven = Given | OverPolynomials
 
 
 def is_order(given: AnyGiven, parts: Parts) -> CheckResult:
-    """O is an order of this discriminant, and a maximal one where that is said."""
+    """Check that O is an order of this discriminant, and maximal if the statement says so."""
     order = given.order(parts[0])
     if order.discriminant != given.whole(parts[1], "a discriminant"):
         reject("this order has another reduced discriminant")
@@ -87,7 +87,7 @@ def has_units(given: Given, parts: Parts) -> CheckResult:
 
 
 def has_unit_index(given: OverPolynomials, parts: Parts) -> CheckResult:
-    """Units are the elements with norms of least degree: 1 has the degree 0, and norms are polynomials."""
+    """Check the number of units: the elements whose norms, which are polynomials, have the degree 0."""
     order = given.basis(given.order(parts[0]), given.data["order"])
     if len(order.least()) != a_whole_number(parts[1], "the number of units"):
         reject("the order has another number of units modulo the constants")

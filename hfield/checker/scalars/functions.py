@@ -226,7 +226,7 @@ class SeveralVariables(Functions):
         return below.name == ring.base.name or below.is_fraction_field_of(ring.base)
 
     def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
-        """Reject: points have several coordinates."""
+        """Reject the point: functions of several variables are not evaluated."""
         return Ring.at(self, point)
 
 
@@ -255,7 +255,7 @@ class PrimePolynomial(OverFiniteField):
 
 
 class Infinity(OverFiniteField):
-    """GF(q)(t) at infinity: integral are the fractions whose degree is not positive."""
+    """GF(q)(t) at infinity: a fraction is integral if its degree is not positive."""
 
     def __init__(self, field: Functions, base: Finite) -> None:
         self.residues, self.base, self.name = base, base, "inf"

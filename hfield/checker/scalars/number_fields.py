@@ -158,9 +158,9 @@ class NumberField(Ring):
         return False
 
     def level_above(self, bound: int) -> bool:
-        """Prove that −1 is not a sum of ``bound`` squares; False says nothing.
+        """Prove that −1 is not a sum of ``bound`` squares; False means that there is no proof.
 
-        For up to 3 squares, where f has modulo 2 a simple factor of odd degree: then ℚ[s]/(f) lies in an
+        Up to 3 squares are excluded if f modulo 2 has a simple factor of odd degree. Then ℚ[s]/(f) lies in an
         unramified extension of ℚ₂ of odd degree, in which four squares add up to 0 only if all are 0.
         """
         if super().level_above(bound):

@@ -56,7 +56,7 @@ class ModuloNumber(Place):
     n: int
 
     def is_unit(self, residue: int) -> bool:
-        """Return whether it is prime to n."""
+        """Return whether x is prime to n."""
         return gcd(residue, self.n) == 1
 
     def is_irreducible(self, trace: int, norm: int) -> bool:

@@ -71,7 +71,7 @@ def _unfit(kind: str, verdict: str) -> NoReturn:
 def division(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Every nonzero element of H(F) has an inverse: its norm is 0 only at 0."""
+    """Check that every nonzero element of H(F) has an inverse: the norm is 0 only at 0."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)

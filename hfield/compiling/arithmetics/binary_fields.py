@@ -61,7 +61,7 @@ class SmallBinaryField(_BinaryField):
 
     @property
     def word(self) -> str:
-        """The integers that hold an unreduced product."""
+        """LLVM's name of the integer type of unreduced products."""
         return f"i{max(16, 2 * 8 * int(self.dtype[1]))}"
 
     def load(self, code: Code, raw: str) -> BinaryPolynomial:

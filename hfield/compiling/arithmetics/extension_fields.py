@@ -46,7 +46,7 @@ class PolynomialArithmetic(OddExtension):
 
     @cached_property
     def digits(self) -> ResidueArithmetic:
-        """The arithmetic of the digits: in the smaller word, if it holds labels and four products."""
+        """The arithmetic of the digits, in the smaller type if labels and sums of four products fit in."""
         largest = max(self.order, 8 * self.degree * self.characteristic**2)
         return ResidueArithmetic(
             self.characteristic, "float" if largest < LIMITS["float"] else "double"

@@ -52,7 +52,7 @@ class Judgement:
         self.statement = self.read(text, setting)
 
     def read(self, text: str, setting: Setting) -> Statement:
-        """Read a statement as the field and the algebra make its names mean."""
+        """Parse a statement in which names mean constants of the field and letters of the algebra."""
         return read_statement(text, setting.field, (), setting.letters, setting.constants)
 
     def for_formula(self, node: Node, setting: Setting | None = None) -> Judgement:
@@ -146,7 +146,7 @@ class Judgement:
 
     @property
     def given(self) -> list[str]:
-        """The names of the unknowns that the statement is for all values of."""
+        """The names of the unknowns that are universally quantified."""
         return [n for n, _ in self.statement.given]
 
     def one_ring(self) -> tuple[BaseRing, Sentence]:
@@ -164,7 +164,7 @@ MAX_WORDS = 64  # of a list of tuples of basis vectors
 def implied(
     j: Judgement, items: Sequence[Mapping[str, Any]], facts: Sequence[Mapping[str, Any]] = ()
 ) -> Proved:
-    """Prove a statement by its items, an identity by none."""
+    """Prove a statement from its items of evidence; an identity needs none."""
     field = j.setting.field
     base_ring = FIELDS if field is None else base_ring_of(field)
     _check_facts(j, facts_used(items), facts, base_ring)

@@ -89,6 +89,6 @@ def _proved(name: str, data: Mapping[str, Any]) -> Proved:
 
 
 def comment_text(text: str) -> str:
-    """Return a text that can stand in a comment of Coq, and that shows all that is in it."""
+    """Return a text with the characters replaced that are invisible or would end a comment of Coq."""
     text = "".join(c if c.isprintable() or c == "\n" else "?" for c in text)
     return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")

@@ -38,7 +38,7 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
 
     @property
     def height(self) -> float:
-        """A bound of its logarithmic height: that of the polynomial's length, over the degree (Landau)."""
+        """A bound of the logarithmic height: the logarithm of the polynomial's 2-norm, over the degree."""
         squares = sum(int(c) ** 2 for c in self.args[1:])
         return log(squares) / 2 / (len(self.args) - 2)
 

@@ -63,7 +63,7 @@ class AlgebraicNumbers(ValueRing):
 
     @property
     def data(self) -> dict[str, Any]:
-        """The field by its kind."""
+        """The kind of the field, as JSON data."""
         return {"kind": "reals" if self.is_real else "complexes"}
 
     @property

@@ -193,7 +193,7 @@ class Surd(PrintedBySympy):
             return flint.acb(re, im)
 
     def sign(self, flipped: int = 0) -> int:
-        """Return the sign of a real number; with ``flipped`` = d, of the one with −√d for √d."""
+        """Return the sign of a real number; with ``flipped`` = d, that of its image under √d ↦ −√d."""
         x = Surd({n: -c if n == flipped else c for n, c in self.terms.items()}) if flipped else self
         if len(x.terms) <= 1:
             return next((1 if c > 0 else -1 for c in x.terms.values()), 0)

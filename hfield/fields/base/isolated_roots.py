@@ -41,7 +41,7 @@ class IsolatedRoots:
         return self._at[bits]
 
     def numbered(self, n: int, bits: int) -> flint.acb:
-        """Return the n-th root where the lower ones count too, each behind its conjugate."""
+        """Return the n-th root, counting those in the lower half plane too, each after its conjugate."""
         pair, is_below = divmod(max(n - self.real_count, 0), 2)
         z = self.at(bits)[min(n, self.real_count) + pair]
         with precision(bits):

@@ -53,7 +53,7 @@ class FieldFunctions(Protocol):
 
 
 class Registry:
-    """Theories by the name that a class of rings has as its ``theory``, and single functions."""
+    """The theories of classes of rings, by the name in the attribute ``theory``, and single functions."""
 
     functions: FieldFunctions
 

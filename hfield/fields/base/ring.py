@@ -277,7 +277,7 @@ class Named(Core[E]):
         return self.names()
 
     def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
-        """Return the generator in sympy if this, low degree first, is its minimal polynomial, or None."""
+        """Return the generator in sympy if it has this minimal polynomial, low degree first, or None."""
         return None
 
     def foreign(self, x: object) -> E:
@@ -480,7 +480,7 @@ class WithRelatives(Core[E]):
         return None
 
     def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
-        """Return the map of a ring into this one where texts would not do, or None.
+        """Return the map of a ring into this one, or None if elements are to be mapped by their texts.
 
         Raises :class:`CoercionError` where there is no map.
         """

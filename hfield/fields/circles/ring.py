@@ -60,7 +60,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     plain: tuple[str, ...]  # the other variables
 
     def name_by_angles(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
-        """Store the angles, the other variables, and the name of the field."""
+        """Store the angles and the other variables, and name the field by them."""
         self.angles, self.plain = angles, plain
         pairs = [f"{f}({angle_text(*a)})" for a in angles for f in ("cos", "sin")]
         self.name = f"{base.name}({','.join((*plain, *pairs))})"
@@ -73,7 +73,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
 
     @property
     def data(self) -> dict[str, Any]:
-        """The field by its constants, its angles, each with a number that it is divided by, and variables."""
+        """The constants, the angles with their divisors, and the variables of the field, as JSON data."""
         angles = [list(a) for a in self.angles]
         own = {"angles": angles, "variables": list(self.plain)}
         return {"kind": "circle functions", "base": self.base.data, **own}
@@ -253,7 +253,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return (*self.plain, *(name for name, _ in self.angles))
 
     def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
-        """Return what cosines, sines and variables become; values of angles are angles, such as π/3."""
+        """Return the images of cosines, sines and variables; the values of angles are angles, such as π/3."""
         known = target.generators()
         found = {
             name: target(values[name]) if name in values else known.get(name) for name in self.plain

@@ -84,7 +84,7 @@ class Labels(Compact[LabelTuple]):
         return label(w), label(x), label(y), label(z)
 
     def whole(self, w: int, x: int, y: int, z: int) -> LabelTuple:
-        """Encode four ints."""
+        """Return the labels of four integers."""
         p = self.p
         return w % p, x % p, y % p, z % p
 

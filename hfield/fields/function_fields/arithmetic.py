@@ -176,7 +176,7 @@ class OverEven(FunctionArithmetic):
         return as_norm(self.ring, x, s)
 
     def artin_schreier(self, x: RationalFunction) -> RationalFunction | None:
-        """Return y from the leading terms down."""
+        """Return y with ``y² + y = x``, or None."""
         return artin_schreier(self.ring, x)
 
     def has_root_at(self, place: FunctionPlace, t: RationalFunction, n: RationalFunction) -> bool:

@@ -213,7 +213,7 @@ class ResidueField:
         return None if z is None else (b * z % self.modulus, a)
 
     def truncated(self, x: Any, n: int) -> Any:
-        """Return the polynomial over a power of π, of the least degree, that is x up to πⁿ."""
+        """Return the polynomial over a power of π, of the least degree, that is congruent to x modulo πⁿ."""
         k = -min(self.valuation(x), 0) if x.num != 0 else 0
         if n + k <= 0:
             return self.field.zero

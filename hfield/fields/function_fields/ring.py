@@ -75,7 +75,7 @@ class FunctionField(FractionField):
 
     @property
     def data(self) -> dict[str, Any]:
-        """The field by its constants and its variable."""
+        """The constants and the variable of the field, as JSON data."""
         return {"kind": "rational functions", "base": self.base.data, "variables": [self.gen_name]}
 
     def in_words(self) -> str:

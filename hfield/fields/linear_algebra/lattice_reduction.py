@@ -50,7 +50,7 @@ def turned(
     rng: random.Random,
     width: int = 3,
 ) -> list[list[complex]]:
-    """Return vectors, ``width`` coordinates a place, after all planes of two axes are turned at every place.
+    """Return vectors, with ``width`` coordinates for each place, after random turns in all coordinate planes.
 
     ``places`` has the signs of the form at a real place, None at a complex one. The turn is by a real angle
     where the form is definite, an imaginary one where it is not, a complex one at a complex place.

@@ -47,7 +47,7 @@ def relations(ring: Ring, rows: list[Row], width: int) -> list[Row]:
 
 
 def modulo(n: int, rows: list[list[int]], width: int) -> list[list[int]]:
-    """Return generators of the kernel over ℤ/n; it is the direct sum of what each of them generates.
+    """Return generators of the kernel over ℤ/n; it is the direct sum of the cyclic modules they generate.
 
     ``U·M·V = D`` is diagonal with V invertible, and ``d·y = 0`` is solved by the multiples of
     ``n/gcd(d, n)``: the columns of V times these generate.

@@ -1,4 +1,4 @@
-"""Completions, which have one place: the square classes of the constants decide an algebra."""
+"""The arithmetic of completions: the square classes of its constants at the one place decide an algebra."""
 
 from __future__ import annotations
 

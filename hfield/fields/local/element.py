@@ -78,7 +78,7 @@ class LocalElement(Element):
         return LocalElement(self.field, -self.value, self.precision)
 
     def times(self, other: LocalElement) -> LocalElement:
-        """Return what contains all products."""
+        """Return the product, to the precision that the factors determine."""
         precision = None
         if not (self.is_exact and other.is_exact):
             # (x + O(πᵐ))·(y + O(πⁿ)) = xy + O(y·πᵐ) + O(x·πⁿ) + O(πᵐ⁺ⁿ)

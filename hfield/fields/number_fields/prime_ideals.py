@@ -245,7 +245,7 @@ def general_primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
 
 
 def by_other_generators(prime: PrimeIdeal, count: int) -> Iterator[dict[str, object]]:
-    """Yield the ideal as data: p and g(θ), g the polynomial over GF(p) of the residue of an integer θ."""
+    """Yield the ideal as data: p and g(θ), where g is the minimal polynomial over GF(p) of an integer θ."""
     field, rng = prime.field, Random(1)
     for _ in range(count):
         theta = prime.order.element(rng.randrange(4 * prime.p) for _ in range(field.degree))

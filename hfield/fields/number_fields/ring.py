@@ -141,7 +141,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return FieldElement(self, flint.fmpq_poly([fmpq(number)]))
 
     def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
-        """Return the generator in sympy if this, low degree first, is its minimal polynomial, or None."""
+        """Return the generator in sympy if it has this minimal polynomial, low degree first, or None."""
         same = [fmpq(c) for c in polynomial] == list(self.polynomial.coeffs())
         return self.to_sympy(self.gen, {}) if same else None
 

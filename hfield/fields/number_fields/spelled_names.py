@@ -182,7 +182,7 @@ class SpelledField(NumberField):
         return {}
 
     def monomials(self) -> tuple[list[list[flint.fmpq]], list[tuple[int, ...]]]:
-        """Return the powers of θ by products of powers of the numbers in the name, and their exponents."""
+        """Return the powers of θ as combinations of products of the named numbers, and their exponents."""
         change, exponents = self._monomials
         n = self.degree
         return [[change[k, m] for m in range(n)] for k in range(n)], exponents
@@ -237,7 +237,7 @@ class SpelledField(NumberField):
         return flint.fmpq_mat(self.degree, self.degree, rows).inv(), exponents
 
     def text(self, x: FieldElement, style: str = "plain") -> str:
-        """Write x in products of powers of the numbers in the name."""
+        """Write x as a combination of products of powers of the named numbers."""
         shown = self.number_texts(style)
         return sum_text(
             (

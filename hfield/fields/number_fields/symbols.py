@@ -233,7 +233,7 @@ def candidates(field: NumberField, x: FieldElement) -> set[int]:
 
 
 def norms(field: NumberField, x: FieldElement) -> tuple[int, int, int]:
-    """Return integers with the candidate primes as divisors: a norm, a denominator, and the content."""
+    """Return a norm, a denominator and the content of x: their prime divisors are the candidates."""
     scale, _ = integral_generator(field)
     terms = [c / flint.fmpq(scale) ** k for k, c in enumerate(x.poly.coeffs())]
     below = math.lcm(*(int(c.q) for c in terms))

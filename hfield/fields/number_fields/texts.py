@@ -18,7 +18,7 @@ NUMBER = r"(?:sqrt|cbrt|root)\([^()]*\)|\bzeta(?:_?\d+|\(\d+\))|\bI\b"
 
 
 def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -> str:
-    """Write a polynomial with rational coefficients, given low degree first, highest first."""
+    """Write a polynomial, highest power first; the rational coefficients are given low degree first."""
     terms = [(number_text(c, style), [(name, n)]) for n, c in enumerate(coefficients) if c != 0]
     return sum_text(reversed(terms), style)
 

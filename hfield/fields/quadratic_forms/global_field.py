@@ -154,7 +154,7 @@ class GlobalField(ABC):
 
     @abstractmethod
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return an element of norm 0 of an algebra that :meth:`ramified` finds nowhere ramified.
+        """Return an element of norm 0 of an algebra without ramified places, as :meth:`ramified` finds them.
 
         It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
         that there is none.
@@ -168,9 +168,9 @@ class GlobalField(ABC):
         return None
 
     def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
-        """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
+        """Return two quaternions that prove the norm to be anisotropic over the completion (Voight, 13.3.11).
 
-        None where it has a zero, and where :meth:`residues` has none.
+        Return None if the norm is isotropic, or if :meth:`residues` returns None.
         """
         at = self.residues(place)
         return None if at is None else unit_and_prime(at, *self._exact(c))

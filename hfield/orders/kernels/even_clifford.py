@@ -1,4 +1,4 @@
-"""Maximal orders over ℤ from ternary forms, whatever the size of their primes.
+"""Maximal orders over ℤ from ternary forms, also at large primes.
 
 A ternary lattice with an integral form gives an order, its even Clifford algebra, whose reduced
 discriminant is the half-discriminant of the form (Voight, *Quaternion Algebras*, chapter 22); so a maximal

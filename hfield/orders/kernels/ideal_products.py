@@ -1,9 +1,9 @@
 """Products I·J of a right and a left ideal of one order, by linear algebra modulo the norm of J.
 
-Where J is locally principal, ``J = O·α + O·n`` for n = N(J) and any α in J with N(α)/n prime to n,
-and so ``I·J = I·α + I·n`` (Voight, *Quaternion Algebras*, section 16.3). In coordinates over I that
-is the row space of one 4 × 4 matrix modulo n: where it is free of rank 2 its echelon form is a basis,
-and no Hermite form of sixteen rows is needed.
+If J is locally principal, ``J = O·α + O·n`` for n = N(J) and any α in J with N(α)/n prime to n. So
+``I·J = I·α + I·n`` (Voight, *Quaternion Algebras*, section 16.3). In coordinates over I this product is the
+row space of one 4 × 4 matrix modulo n. If that is free of rank 2, its echelon form gives a basis, without a
+Hermite form of sixteen rows.
 """
 
 from __future__ import annotations

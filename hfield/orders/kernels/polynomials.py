@@ -1,4 +1,4 @@
-"""The functions for lattices over 𝔽_q[t] where numbers are counted by degrees, not by traces."""
+"""The functions for lattices over 𝔽_q[t] that differ because elements are ordered by degree, not by trace."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ def lifted(field: Ring, found: Mapping[str, Any]) -> Assignment:
 
 
 def read_back(field: Ring, witness: Mapping[str, Sequence[str]]) -> Assignment:
-    """Return the values of a witness in the field, which may be named beside them."""
+    """Return the values of a witness as elements of the field; its entry "F", a field's name, is ignored."""
     values = {name: texts for name, texts in witness.items() if name != "F"}
     return lifted(field, {n: tuple(x) if len(x) == 4 else x[0] for n, x in values.items()})
 

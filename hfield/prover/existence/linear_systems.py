@@ -119,7 +119,7 @@ class System:
         below: flint.fmpz_mpoly,
         unequal: list[tuple[flint.fmpz_mpoly, ...]],
     ) -> Case | None:
-        """Return a solution as a case, None where its condition is never true."""
+        """Return a solution as a case of a proof, or None if its condition is never true."""
         when = [] if self.of.is_unit(below) else [f"{self.text(below)} != 0"]
         for row in rows:
             rest = row[-1] * below
@@ -272,7 +272,7 @@ class Elimination:
         self.of, self.width, self.clock, self.ways = coefficients, width, clock, 0
 
     def start(self, rows: Sequence[Row], known: Sequence[flint.fmpz_mpoly]) -> EliminationBranch:
-        """Return the system before the elimination, some polynomials that are 0 used."""
+        """Return the system before the elimination, reduced by polynomials that are known to be 0."""
         way = EliminationBranch(tuple(map(self.of.primitive, rows)))
         for f in known:
             factors = self.of.factors(f) if f != 0 else []

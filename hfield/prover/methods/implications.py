@@ -264,7 +264,7 @@ class _Attempt:
     def item(
         self, zeros: Sequence[flint.fmpz_mpoly], target: flint.fmpz_mpoly, found: Cofactors
     ) -> Item:
-        """Return the item that a polynomial is in the ideal of the zeros."""
+        """Return the evidence that a polynomial lies in the ideal that ``zeros`` generate."""
         own = {
             "member": self.text(target),
             "cofactors": [self.text(f) for f in found.factors],

@@ -160,8 +160,9 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
 
 
 def settled(node: Node, field: Ring) -> Node:
-    """Replace comparisons that divide by numerals that are not units by false. Raises UndecidedError for
-    other divisors.
+    """Replace each comparison that divides by a numeral by false, if the numeral is no unit.
+
+    Raises UndecidedError for other divisors.
     """
     match node:
         case Not(x):

@@ -63,7 +63,7 @@ class CompletionAtPlace(Protocol):
 
 
 def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision]) -> Decision | None:
-    """Return what is decided over some ℚ(√d) in ℚ_p and carries over, or None."""
+    """Return a decision over a subfield ℚ(√d) of ℚ_p that holds over ℚ_p too, or None."""
     F, statement = problem.field, problem.statement
     if not isinstance(F, CompletionAtPlace) or F.global_field != QQ or problem.setting.letters:
         return None

@@ -102,7 +102,7 @@ class _Expansion:
         return conjunction([some, *(Compare("==", a, a) for a in undefined)])
 
     def like(self, x: Node | Table, y: Node | Table, node: Node) -> Table:
-        """Return a table of the shape of another; a quaternion is its multiple of the identity."""
+        """Return a table of the shape of another; a quaternion q becomes q times the identity."""
         if isinstance(x, Node):
             assert not isinstance(y, Node)
             size = len(y)

@@ -199,7 +199,7 @@ class PlainTextWriter:
         return f"{base}[{index}]"
 
     def call(self, function: str, arguments: tuple[Node, ...]) -> str:
-        """Write a function of its arguments."""
+        """Write the call of a function."""
         return f"{function}({', '.join(self.write(x) for x in arguments)})"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:

@@ -138,7 +138,7 @@ class _StatementTableWriter:
         return conjunction([compared(op, pairs, node.position), *defined])
 
     def vector(self, x: Node | Vector, node: Node) -> Vector:
-        """Return the coordinates; a scalar is its multiple of the unit."""
+        """Return the coordinates; a scalar s counts as s·1."""
         if not isinstance(x, Node):
             return x
         if x == ZERO:

@@ -65,7 +65,7 @@ def has_order(field: Ring) -> bool:
 
 
 def need_order(node: Node, field: Ring | None, text: str) -> None:
-    """Raise :class:`NotationError` for a word that has no meaning over the field."""
+    """Raise :class:`NotationError` for a word that needs an ordering, if the field has none."""
     word = order_word(node)
     if word is None or field is None or has_order(field):
         return

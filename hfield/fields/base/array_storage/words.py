@@ -128,7 +128,7 @@ class WordArrays(RowArrays):
         return rows_of(block)
 
     def by_arrays(self, operation: str, *operands: Rows) -> Any:
-        """Do as single elements do."""
+        """Apply an operation to the stored values of single elements."""
         return getattr(self.plain, operation)(*map(self.values, operands))
 
     def elementwise(self, name: str, *operands: Rows) -> Rows:

@@ -149,7 +149,7 @@ class Storage(Generic[H]):
         return all(map(self.ring.is_zero, self.coordinates(p)))
 
     def key(self, p: H) -> Hashable:
-        """Return what equal elements have in common, however they were made; it is hashable."""
+        """Return a hashable key that is the same for equal elements, however they were computed."""
         return tuple(map(self.ring.key, self.coordinates(p)))
 
     def state(self, p: H) -> tuple[object, ...]:

@@ -113,7 +113,7 @@ class FractionStorage(CommonDenominatorStorage):
         return super().names() | self.integers | tools | {"LARGE": LARGE, "SMALL": -LARGE}
 
     def value(self, names: list[str], denominator: str) -> list[str]:
-        """Write how to return ints over a denominator; whole numbers are made quicker."""
+        """Return code that returns integers over a denominator, with a fast branch for the denominator 1."""
         whole = f"    return element({', '.join(names)})"
         return ["if d1 == 1:", whole, *super().value(names, denominator)]
 

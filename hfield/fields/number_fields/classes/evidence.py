@@ -29,7 +29,7 @@ CITED = {s_units.FRIEDMAN: FRIEDMAN, s_units.ARTIN: ARTIN, s_units.CUSICK: CUSIC
 
 
 def evidence(s: SUnits) -> dict[str, object]:
-    """Return it as JSON data (docs/reference/certificates.md); prime ideals are numbered as listed."""
+    """Return the evidence as JSON data (docs/reference/certificates.md), with prime ideals as numbers."""
     coordinates = s.field.coordinates
     listed: list[list[object]] = []
     number: dict[PrimeIdeal, int] = {}

@@ -473,7 +473,7 @@ class SUnits:
 
     @cached_property
     def least_regulator(self) -> tuple[flint.arb, str]:
-        """A proved lower bound for the regulator, and by whom."""
+        """A proved lower bound for the regulator, and its source."""
         known = self.known_regulator
         if self.n > 2 and self.rank:
             other = self.short_integers.least_regulator(self.order_of_torsion)
@@ -639,7 +639,7 @@ def simple_roots(field: NumberField, q: int) -> list[int]:
 
 
 def residue(x: FieldElement, root: int, q: int) -> int:
-    """Return the residue of x modulo the prime of degree one at which s goes to a number modulo q."""
+    """Return the residue of x modulo the prime ideal of degree 1 above q that contains s − ``root``."""
     total = 0
     for c in reversed(x.poly.numer().coeffs()):
         total = (total * root + int(c % q)) % q

@@ -111,7 +111,7 @@ class _Sums:
                     yield prime, e
 
     def coefficient(self, trace: int) -> int:
-        """Return the sum for a trace."""
+        """Return the sum of the divisor sums over the totally positive elements of a trace."""
         return sum(self._divisor_sum(x) for x in self._positive(trace))
 
     def _positive(self, trace: int) -> Iterator[FieldElement]:

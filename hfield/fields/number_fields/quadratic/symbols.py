@@ -77,7 +77,7 @@ def is_dyadic(v: Place) -> bool:
 
 
 def direct_symbol(v: Place, a: tuple[int, int], b: tuple[int, int]) -> int:
-    """Return the symbol of nonzero integers u + v√d at a place other than a lone one above 2."""
+    """Return the symbol of nonzero integers u + v√d at a place that is not the only one above 2."""
     if isinstance(v, QuadraticRealPlace):
         return -1 if sign(v.d, a, v.root) < 0 and sign(v.d, b, v.root) < 0 else 1
     if not isinstance(v, QuadraticPrime):
