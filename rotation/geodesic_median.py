@@ -173,7 +173,7 @@ class _Boxes(NamedTuple):
         return found
 
     def selected(self, kept: Array) -> "_Boxes":
-        """Return some of them."""
+        """Return the cubes that ``kept`` selects."""
         return _Boxes(self.face[kept], self.middle[kept], self.half)
 
     def divided(self) -> "_Boxes":

@@ -390,7 +390,7 @@ class Rotation(Conversions):
         group: "str | Rotation",
         other_group: "str | Rotation | None" = None,
     ) -> Self:
-        """Return the smallest rotation from one crystal to another, of all that their symmetries leave open.
+        """Return the smallest rotation from one crystal to another, among all equivalent by symmetry.
 
         Rotations turn the axes of a crystal to those of the world, and ``p·g`` is as good as p for g in its
         group: returned is of all ``l·p⁻¹·q·r`` the one of the least angle, l in ``group``, r in

@@ -51,7 +51,7 @@ EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
 
 
 def above_all(claim: Assertion) -> Every:
-    """Return the claim with a case of it in front: unit quaternions of four equal coordinates.
+    """Return the claim, preceded by a special case: unit quaternions with four equal coordinates.
 
     Where the claim is wrong the case shows it, over fields with few unit quaternions too.
     """

@@ -66,7 +66,7 @@ def strip(size: tuple[int, int], language: str, motion: str) -> int:
 def captioned(
     picture: Pixels, said: tuple[str, ...], widest: tuple[str, ...], height: int, paper: RGB
 ) -> Pixels:
-    """Return a picture (height, width, 3) below a strip of ``paper`` with what is said.
+    """Return a picture (height, width, 3) with a strip of ``paper`` above it that has the caption.
 
     The lines are laid out as those of ``widest`` are, so that they stay where they are from frame to frame.
     """

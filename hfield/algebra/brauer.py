@@ -57,7 +57,7 @@ class TensorProduct:
 
     @cached_property
     def brauer_class(self) -> tuple[Hashable, ...]:
-        """The places where just one of the two ramifies: where their product does.
+        """The places where exactly one factor ramifies, which are those where the product ramifies.
 
         Raises :class:`UndecidedError` over a field without a theory of places.
         """

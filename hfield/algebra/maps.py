@@ -139,7 +139,7 @@ class Splitting(Verdict[Quaternion]):
 
     @classmethod
     def of(cls, algebra: Parent, found: splitting.CoordinateSplitting) -> Splitting:
-        """Return the splitting of an algebra for that of its coordinates."""
+        """Return the splitting of an algebra that is given on coordinates."""
         return cls(
             True,
             found.reason,

@@ -53,7 +53,7 @@ _REFLECTED = {
 
 
 class Parent(Protocol):
-    """What an element uses of its algebra, a :class:`hfield.algebra.QuaternionAlgebra`."""
+    """The interface of :class:`hfield.algebra.QuaternionAlgebra` that its elements use."""
 
     ring: Ring
     constants: Constants

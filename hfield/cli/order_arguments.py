@@ -189,7 +189,7 @@ def class_data(ideal: Ideal) -> dict[str, object]:
 
 
 def unit_numbers(C: ClassSet) -> list[int]:
-    """Return the numbers of units by class, modulo those of the field where they are infinitely many."""
+    """Return the numbers of units by class; if they are infinite, modulo the units of the field."""
     from hfield.errors import NotFiniteError
 
     try:
@@ -210,7 +210,7 @@ def unit_groups(C: ClassSet) -> Iterator[str]:
 
 
 def basis_name(L: Lattice) -> str:
-    """Return how people read a lattice: by a basis of four elements, or as a sum."""
+    """Return a lattice as text: a basis of four elements, or a sum of ideals times elements."""
     return "basis" if len(L.basis) == 4 else "sum of"
 
 

@@ -262,7 +262,7 @@ def _program(tape: _Tape, outputs: list[str]) -> Program:
 
 
 def named(x: T, name: str, is_constant: Callable[[T, int], bool]) -> str:
-    """Return x as :func:`specialise` takes it; ``is_constant(x, n)`` tells x = n·1."""
+    """Return x in the form that :func:`specialise` expects; ``is_constant(x, n)`` returns whether x = n·1."""
     return next((str(n) for n in (0, 1, -1) if is_constant(x, n)), name)
 
 

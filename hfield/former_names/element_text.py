@@ -1,4 +1,4 @@
-"""Functions that pickles of arrays of elements name, of version 0.2."""
+"""Functions to which pickles of version 0.2, of arrays of elements, refer."""
 
 from typing import Any
 

@@ -378,10 +378,10 @@ class NormOneGroup(Certified, Hinted):
         return 2 * acosh(found[0] / 2)
 
     def geodesics(self, length: float) -> tuple[Geodesic, ...]:
-        """Return the closed geodesics of the quotient of up to a length, once around, by their lengths.
+        """Return the primitive closed geodesics of the quotient up to a length, ordered by length.
 
-        Each with a unit along it. Equal lengths are as often there as there are geodesics. Raises
-        :class:`LatticeError` where there are cusps, and :class:`TooLargeError`.
+        Each has a unit that translates along it. A length occurs once for each geodesic of this length.
+        Raises :class:`LatticeError` if there are cusps, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
@@ -590,7 +590,7 @@ class NormOneGroup(Certified, Hinted):
         return presentation.freely_reduced(letter for n in path for letter in of_sides[n])
 
     def evaluate(self, word: Word) -> Quaternion:
-        """Return the product that a word stands for."""
+        """Return the product of generators that a word describes."""
         product: Quaternion = self.order.algebra(1)
         for letter in word:
             g = self.generators[abs(letter) - 1]

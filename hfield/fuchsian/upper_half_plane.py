@@ -15,7 +15,7 @@ def _squares(order: SplitOrder) -> tuple[float, float, float]:
 
 
 def fixed_point(order: SplitOrder, c: Quaternion) -> complex:
-    """Return about where the point that an element of trace 0 fixes lies in the upper half plane."""
+    """Return the fixed point of an element of trace 0 in the upper half plane, in floats."""
     alpha, b, t = _squares(order)
     _, x, y, z = (order.real(order.scalar(q)) for q in c.coordinates)
     y += t * z / 2

@@ -45,7 +45,7 @@ def constant_tuples(k: int) -> tuple[Tuple, ...]:
 
 
 def short_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the tuples in which only k − 1 indices run, and the last stays at e."""
+    """Return the tuples in which k − 1 indices vary and the last is fixed as that of e."""
     return tuple((*t, 0) for t in all_tuples(k - 1))
 
 

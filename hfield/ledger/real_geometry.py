@@ -37,7 +37,7 @@ class Angles:
 
     @property
     def statement(self) -> str:
-        """Both, in the vocabulary of certificates."""
+        """The core and the real part, in the vocabulary of certificates."""
         parts = [self.core, *([self.real] if self.real else [])]
         return f"angles{{{'; '.join(part.statement for part in parts)}}}"
 

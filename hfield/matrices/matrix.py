@@ -407,7 +407,7 @@ class Matrix(PrintedBySympy):
         return tuple(vector(self.algebra, v) for v in found)
 
     def left_kernel(self) -> tuple[Vector, ...]:
-        """Return vectors x with x·M = 0 that generate all of them as a left module, likewise."""
+        """Return generators, as in :meth:`right_kernel`, of the left module of the vectors x with x·M = 0."""
         F = self.algebra.ring
         if F.is_field:
             return tuple(left_kernel(self.algebra, self.rows))

@@ -132,7 +132,7 @@ class AlgebraBasis:
         return q
 
     def row(self, x: object) -> fmpq_mat:
-        """Return what the algebra reads as an element, a matrix of one row."""
+        """Return a value that the algebra reads as an element, as a matrix of one row."""
         return self.rows([x])
 
     def rows(self, elements: Sequence[object]) -> fmpq_mat:

@@ -97,7 +97,7 @@ def of_equivalence(
     between: LatticeValue | None,
     result: Verdict[Quaternion],
 ) -> CertifiedClaim:
-    """Return that an element carries one ideal to another, or that none does.
+    """Return the certified claim that an element maps one ideal onto another, or that none does.
 
     ``between`` has the c with first·c in second, or c·first on the right; without it, it is computed.
     """
@@ -240,7 +240,7 @@ def of_newforms(
     shown: dict[str, object],
     refusal: str | None,
 ) -> CertifiedClaim:
-    """Return which newforms there are; ``parts`` are the weight, and orbits with eigenvalues."""
+    """Return the certified claim of newforms; ``parts`` are the weight, and orbits with eigenvalues."""
     words = _words(classes.ambient)
     of_classes = words.class_set(classes)
     name = words.names.get("newforms", "newforms")

@@ -639,7 +639,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return self._related(related_orders.suborders, prime, k)
 
     def overorders(self, prime: object, k: int = 1) -> list[Order]:
-        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
+        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError`."""
         return self._related(related_orders.overorders, prime, k)
 
     def _related(
@@ -653,7 +653,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return [Order(value) for value in found]
 
     def isomorphism(self, other: Lattice) -> Verdict[Quaternion]:
-        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
+        """Return an answer with an ``element`` x such that x·O·x⁻¹ is the other order, or with a ``reason``.
 
         Decided for all orders of totally definite algebras, and for R + f·Eichler orders of indefinite ones,
         where the element may be missing; others raise :class:`UndecidedError`. Where not every ideal of the
@@ -1630,7 +1630,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return self._classes.neighbours(self._base.prime(prime), executor)
 
     def neighbours(self, prime: object) -> list[Counter[int]]:
-        """Return the rows of :meth:`neighbour_counts` as counters, all in a list."""
+        """Return the rows of :meth:`neighbour_counts` as a list of counters."""
         return list(map(Counter, self.neighbour_counts(prime)))
 
     def neighbours_of(self, n: int, prime: object) -> Counter[int]:

@@ -43,7 +43,7 @@ class Family(ABC):
 
     @abstractmethod
     def elements(self) -> Iterator[Quaternion]:
-        """Yield these roots over a finite field."""
+        """Yield the roots of this family, over a finite field."""
 
     @abstractmethod
     def count(self) -> int:

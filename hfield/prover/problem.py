@@ -29,7 +29,7 @@ class Memory:
     def recall(
         self, kind: str, key: Hashable, make: Callable[[], Any], lasting: Callable[[], bool]
     ) -> Any:
-        """Return what is remembered under a key, or make it, and remember it if it is ``lasting``."""
+        """Return the cached value of a key, or compute it, and cache it if it is ``lasting``."""
         kept = self._kept.setdefault(kind, {})
         found = kept.get(key, _NOTHING)
         if found is _NOTHING:

@@ -151,7 +151,7 @@ def place(x: Array, times: Array) -> tuple[Array, Array]:
 
 
 def interval(x: Array, times: Array) -> Array:
-    """Return for each x (…) the interval of the times (n,) it is in; beyond them the first or the last."""
+    """Return the number of the interval of ``times`` (n,) that contains x (…), or of the nearest one."""
     xp = namespace(x, times)
     after = xp.searchsorted(times, xp.reshape(x, (-1,)), side="right")
     return xp.reshape(xp.clip(after - 1, 0, times.shape[0] - 2), x.shape)

@@ -24,7 +24,7 @@ class Tensor(Protocol):
         """Return the same numbers without derivatives."""
 
     def is_conj(self) -> bool:
-        """Return whether the tensor stands for the conjugates of its numbers."""
+        """Return whether the tensor is a lazy conjugate, with entries conjugate to the stored numbers."""
 
     def numpy(self) -> Array:
         """Return an array on the same memory."""

@@ -130,7 +130,7 @@ class _Tree:
         self.powers: dict[tuple[Hashable, int], Hashable] = {}
 
     def check(self) -> None:
-        """Try everything."""
+        """Check a statement by evaluating it at all values of its unknowns."""
         self._try(0, [case for case in self.cases if not self._settled(case)])
 
     def _try(self, depth: int, cases: list[Case]) -> None:

@@ -70,7 +70,7 @@ def is_order(given: AnyGiven, parts: Parts) -> CheckResult:
 
 
 def is_ideal(given: AnyGiven, parts: Parts) -> CheckResult:
-    """I is a locally principal ideal of the order, of this norm."""
+    """Check that I is a locally principal ideal of the order, of this norm."""
     ideal = given.lattice(parts[0])
     need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
     if index(ideal.norm) != given.fraction(parts[3]):

@@ -244,7 +244,7 @@ def curried_linear(
 def last_argument(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is any vector at all."""
+    """Check Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is an arbitrary vector."""
     upper, shows = int(parts[0]), []
     _plain(evidence, "identity")
     for k in _arities(parts[1]):

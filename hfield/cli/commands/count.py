@@ -150,7 +150,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, Scalar]]:
 
 
 def parts(result: CountTable, heading: str = "") -> list[AnswerSection]:
-    """Return what people read; without a heading as a part of the page about the algebra."""
+    """Return the text output; without a heading, as a part of the page about the algebra."""
     from hfield.latex import words
     from hfield.presenting import LayoutBlock, TextTable, hanging
 

@@ -48,7 +48,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Find them and print."""
+    """Find the elements and print them."""
     if args.algebra in (*SETS, *OTHERS):
         raise UsageError(f"the algebra comes first: write hfield list {args.what} {args.algebra}")
     from hfield.cli.parser import algebra_of

@@ -44,7 +44,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Compute and print."""
+    """Compute the result and print it."""
     return answer_all(args, partial(_answer, algebra_of(args)), COLUMNS)
 
 

@@ -163,7 +163,7 @@ def _class_number(O: Order) -> tuple[int | None, str | None]:
 
 
 def parts(O: Order) -> list[AnswerSection]:
-    """Return what people read."""
+    """Return the text output."""
     from hfield.presenting import Facts
 
     maximal, (number, how) = O.is_maximal(), _class_number(O)

@@ -23,7 +23,7 @@ class TooWideError(ArithmeticError):
 
 
 def holds(dtype: str) -> int:
-    """Return the largest number of a row of this type; the least is its negative, in 64 bits one below."""
+    """Return the largest number M in a row of this type; the least is −M, with 64 bits −M − 1."""
     return (1 << 8 * int(dtype[1]) - 1) - 1
 
 

@@ -28,7 +28,7 @@ class CertificateItem:
 
     @property
     def is_direct(self) -> bool:
-        """Whether it needs no field."""
+        """Whether the item is valid over rings that are not fields too."""
         return self.member is not None
 
     @property

@@ -177,7 +177,7 @@ class Coqc:
 
 
 def opening() -> str:
-    """Return what a file begins with that uses the compiled library."""
+    """Return the first lines of a file that uses the compiled library."""
     imports = next(
         line for line in library().splitlines() if line.startswith("From Coq Require Import")
     )

@@ -250,7 +250,7 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
 
 
 def in_one_field(base_ring: BaseRing) -> tuple[list[str], str]:
-    """Return how a proof against all fields begins, and what they say of this one."""
+    """Return the first tactics of a refutation over all fields, and the arguments for this field."""
     p = base_ring.characteristic
     if not p:
         return ["intro F."], "F Qc _ _ rational_field"

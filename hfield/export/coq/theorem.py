@@ -28,7 +28,7 @@ class Theorem:
 
     @property
     def place(self) -> str:
-        """The section of the file that contains it; none for most."""
+        """The section of the file that contains the theorem; most theorems are in none."""
         return self.proved.place
 
     @property

@@ -85,7 +85,7 @@ class _OfPair(RootOf):
 
     @property
     def height(self) -> float:
-        """A bound of its logarithmic height."""
+        """A bound of the logarithmic height of the number."""
         return 2 * super().height + log(2)
 
 

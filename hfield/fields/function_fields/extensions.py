@@ -178,7 +178,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return Fact(None, f"nothing is known of the squares of {self.name}")
 
     def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:
-        """Return a root of −1 from below."""
+        """Return the elements of the smaller field whose squares add up to −1."""
         return (
             tuple(map(self._constant, self.base.minus_one_as_squares())) if self.level.value else ()
         )

@@ -152,7 +152,7 @@ class LocalArithmetic(CompletionArithmetic):
         return i, self._root(inner, outer.b, others)
 
     def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
-        """Return x, which exists, for every quadratic extension is in the division algebra."""
+        """Return x of trace 0 with x² = s; the division algebra contains every quadratic extension."""
         return self._root(Constants(form.a, self.ring.zero, form.b), s, basis_of(self.ring)[1:])
 
     def _turned(self, c: Constants, i: Coordinates, v: Coordinates) -> Coordinates:

@@ -243,7 +243,7 @@ class _NamedConstants:
         return self.named[id(node)][1]
 
     def number(self, node: Node) -> Node | None:
-        """Return the name of the number that a node writes up to an O(…), None where it writes none."""
+        """Return the name node of a number that is written with a precision O(…), None for other nodes."""
         match node:
             case (
                 Call("O", (v, x))

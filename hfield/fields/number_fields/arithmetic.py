@@ -116,7 +116,7 @@ class NumberFieldArithmetic(GlobalField):
         return w, x, y
 
     def traceless_root(self, form: NormalForm, s: FieldElement) -> Coordinates | None:
-        """Return x in an algebra (s, e) that is isomorphic, unless s is a square at a ramified place."""
+        """Return x of trace 0 with x² = s, from an isomorphic algebra (s, e), or None if there is none."""
         ramified = self.ramified(form)
         if any(is_local_square(v, s) for v in ramified):
             return None

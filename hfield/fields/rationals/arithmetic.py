@@ -87,5 +87,5 @@ class RationalArithmetic(GlobalField):
         return embed_rational(self.ring, outer, inner)
 
     def traceless_root(self, form: NormalForm, s: flint.fmpq) -> Coordinates | None:
-        """Return x by an isometry with an algebra (s, e) of the same ramification."""
+        """Return x of trace 0 with x² = s, by an isomorphism with an algebra (s, e), or None."""
         return traceless_root_rational(self.ring, Constants(form.a, self.ring.zero, form.b), s)

@@ -64,7 +64,7 @@ class RationalFunctions(FractionField):
         return self.variables
 
     def parts(self, x: RationalFunction) -> list[RationalFunction]:
-        """Return x itself, of which leading terms are asked."""
+        """Return x as the only summand: leading terms are taken of x itself."""
         return [x]
 
     def as_constant(self, x: RationalFunction) -> Any:

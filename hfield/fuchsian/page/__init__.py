@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> str:
-    """Return the page; a dark one begins dark, another as the reader's system is."""
+    """Return the page; it starts dark if ``dark``, else with the colour scheme of the reader's system."""
     here = files(__name__)
     group, order = domain.group, domain.group.order
     genus, orders, cusps = group.signature

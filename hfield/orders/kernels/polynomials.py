@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def class_forms(
     ambient: AlgebraBasis, grams: list[fmpz_mat], norm: BaseNumber, units: Sequence[BaseNumber]
 ) -> list[fmpz_mat]:
-    """Return the forms themselves: only degrees are compared, and units and ν make no difference."""
+    """Return the forms unchanged: only degrees are compared, and units and ν do not affect the comparison."""
     return grams
 
 

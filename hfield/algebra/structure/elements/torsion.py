@@ -104,7 +104,7 @@ def _exponent(ring: Ring) -> Mapping[int, int] | None:
 
 
 def orders_of_roots_of_unity(degree: int) -> dict[int, int]:
-    """Return the primes of a number that the order of every root of unity of such a degree divides."""
+    """Return, as {p: exponent}, a common multiple of the orders of all roots of unity of the given degree."""
     orders = {}
     for p in primes(degree + 2):
         k = 0

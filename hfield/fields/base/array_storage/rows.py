@@ -1,4 +1,4 @@
-"""Arrays of quaternions as four rows of integers of one shape, parts of one block where we made them."""
+"""Arrays of quaternions as four rows of integers of one shape; rows of results are parts of one block."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ from hfield.fields.rationals.symbols import ramified_places_q
 
 
 class QuadraticArithmetic(NumberFieldArithmetic):
-    """The arithmetic of ℚ(√d): tame symbols, and the product formula at a lone place above 2."""
+    """The arithmetic of ℚ(√d): tame symbols, and the product formula if there is only one place above 2."""
 
     ring: QuadraticField
 

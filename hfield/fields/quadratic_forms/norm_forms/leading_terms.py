@@ -34,7 +34,7 @@ class ExpandedConstants(Protocol):
         """The variables; () where elements have none after all."""
 
     def parts(self, x: Any) -> list[Any]:
-        """Return fractions ``num/den`` whose leading terms do not cancel, of which x is made."""
+        """Return the fractions ``num/den`` of which x consists; their leading terms do not cancel."""
 
 
 def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
