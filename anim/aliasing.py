@@ -64,9 +64,9 @@ class ApparentSpin:
 
 
 def apparent_spin(motion: Motion, bands: int) -> ApparentSpin:
-    """Return what the film shows of the spin of a top with ``bands`` bands, of two colours by turns.
+    """Return the spin that a film seems to show, for a top with ``bands`` bands in two alternating colours.
 
-    An even number of bands repeats after two of them, an odd one only after the whole turn.
+    An even number of bands has a pattern that repeats after two, an odd number only after a whole turn.
     Raises :class:`~anim.errors.AnimationError` unless ``bands`` is 1 or more.
 
     >>> from anim import kinematic, Timeline

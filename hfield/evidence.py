@@ -162,7 +162,7 @@ def certificate(
 
 
 def why_rejected(data: dict[str, object]) -> str | None:
-    """Say why the checker does not follow a certificate; None where it does."""
+    """Return the reason why the checker rejects a certificate, None if it accepts it."""
     from hfield.checker.check import Rejected, check
 
     try:

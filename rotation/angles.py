@@ -70,7 +70,7 @@ def to_degrees(xp: Namespace, radians: Array) -> Array:
 
 
 def in_degrees(xp: Namespace, radians: PairLike) -> Pair:
-    """Return a pair that is in radians in degrees."""
+    """Convert a pair from radians to degrees."""
     return _times(xp, radians, _DEGREES)
 
 

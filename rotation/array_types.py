@@ -59,7 +59,7 @@ class Limits(Protocol):
 
     @property
     def smallest_normal(self) -> float:
-        """The smallest number that has all digits."""
+        """The smallest positive number with full precision."""
 
 
 class LinearAlgebra(Protocol):

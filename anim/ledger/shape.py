@@ -40,7 +40,7 @@ def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -
 
 @dataclass(frozen=True)
 class Dividing:
-    """A proposition with numbers in it that exist only where the ``primes`` are not 0."""
+    """A proposition with numbers that are defined only where the ``primes`` are not 0."""
 
     proposition: Proposition
     primes: tuple[int, ...]

@@ -223,7 +223,7 @@ def lay(
 
 @kernel
 def grained(background: Light, pixels: Bytes) -> None:
-    """Write ``background`` (height, width, 3), float32, as bytes without bands into ``pixels``."""
+    """Write ``background`` (height, width, 3), float32, as bytes to ``pixels``, dithered against bands."""
     height, width, _ = background.shape
     for y in range(height):
         for x in range(width):

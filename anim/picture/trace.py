@@ -85,11 +85,11 @@ def near_and_far(
 
 
 def thinned(path: Floats, tolerance: float) -> NDArray[np.int64]:
-    """Return which points of a path (n, 3) are enough: the line through them strays no further than that.
+    """Return which points of a path (n, 3) to keep, for a line that deviates by at most ``tolerance``.
 
-    A curve of length L that turns by φ in all stays within L·φ/4 of its chord (φ ≤ π); points are left out as
-    long as this is at most ``tolerance``. One pass, and what is kept up to a point does not depend on what
-    comes after it, so that a line may grow from frame to frame without a flicker.
+    A curve of length L that turns by φ in all is within L·φ/4 of its chord (φ ≤ π); points are left out as as
+    long as this is at most ``tolerance``. The points kept do not depend on later points, so that a line can
+    grow from frame to frame without flicker.
     """
     steps = np.diff(path, axis=0)
     lengths = np.linalg.norm(steps, axis=1)

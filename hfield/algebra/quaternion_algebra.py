@@ -1394,7 +1394,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return notation.table_text(BASIS, rows, style)
 
     def text_for(self, system: str) -> str:
-        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; what they write is read as any text.
+        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; the constructor reads such texts.
 
         Over ℚ, prime fields, and number fields with one generator. Raises :class:`RingError` for others.
 

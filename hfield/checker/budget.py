@@ -70,7 +70,7 @@ def spend_inverse(modulus: int) -> None:
 
 
 class Remembered(Generic[T]):
-    """Cache a function of one argument; each call spends its cost: a file costs the same after others."""
+    """Cache a function of one argument. Each call spends its full cost, so earlier files do not matter."""
 
     def __init__(self, function: Callable[..., T]) -> None:
         self._function, self._found = function, lru_cache(maxsize=256)(self._measured)

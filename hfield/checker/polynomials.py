@@ -201,7 +201,7 @@ class Names:
         return variable(self.place[tree])
 
     def extended(self, names: Sequence[str]) -> "Names":
-        """Return the same with further variables."""
+        """Return the names with further variables."""
         return Names((*self.trees, *(("name", name) for name in names)))
 
     def read(self, text: str, what: str) -> Poly:

@@ -246,7 +246,7 @@ class _TableWriter:
         reject("expected a term where there is a statement")
 
     def name(self, name: str, tree: Tree) -> Value:
-        """Write out a basis vector or an unknown; a scalar stays."""
+        """Return the coordinates of a basis vector or an unknown; a scalar is returned unchanged."""
         if name in self.names:
             self.elements = True
             return [ONE if name == other else ZERO for other in self.names]

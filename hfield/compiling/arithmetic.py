@@ -51,7 +51,7 @@ class Arithmetic(ABC):
 
     @abstractmethod
     def constant(self, code: Code, value: Any) -> Any:
-        """Return a number known beforehand."""
+        """Return a number that is known at compile time."""
 
     @abstractmethod
     def add(self, code: Code, x: Any, y: Any) -> Any:

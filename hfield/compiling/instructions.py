@@ -220,7 +220,7 @@ def vector(kind: str, lanes: int) -> str:
 
 
 def alike(kind: str, number: object, lanes: int) -> str:
-    """Write the vector that has a number known beforehand in each lane."""
+    """Write the vector with one number, known at compile time, in each lane."""
     return f"<{', '.join([f'{kind} {number}'] * lanes)}>"
 
 

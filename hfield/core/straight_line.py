@@ -267,7 +267,7 @@ def named(x: T, name: str, is_constant: Callable[[T, int], bool]) -> str:
 
 
 def pattern(constants: Constants[T], is_constant: Callable[[T, int], bool]) -> Constants[str]:
-    """Return the constants as :func:`specialise` takes them; ``is_constant(x, n)`` tells x = n·1."""
+    """Return the constants as :func:`specialise` expects them; ``is_constant(x, n)`` means x = n·1."""
     pairs = zip(constants, GENERAL, strict=True)
     return Constants(*(named(x, name, is_constant) for x, name in pairs))
 

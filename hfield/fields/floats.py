@@ -142,7 +142,7 @@ class Floats(FloatingPoint[float]):
 
     @property
     def data(self) -> dict[str, Any]:
-        """The ring by its kind."""
+        """The kind of the ring, as JSON data."""
         return {"kind": "floats"}
 
     def in_words(self) -> str:
@@ -243,7 +243,7 @@ class ComplexFloats(FloatingPoint[complex]):
 
     @property
     def data(self) -> dict[str, Any]:
-        """The ring by its kind."""
+        """The kind of the ring, as JSON data."""
         return {"kind": "complex floats"}
 
     def in_words(self) -> str:

@@ -118,7 +118,7 @@ class QuotientRing(SimpleExtension):
 
     @property
     def level(self) -> Fact:
-        """1 where −1 is a square below or x² = −1, else not known."""
+        """The level: 1 if −1 is a square in the base ring or x² = −1, else unknown."""
         if self.name == "ZZ[I]":
             return Fact(1, "−1 = I^2")
         return super().level

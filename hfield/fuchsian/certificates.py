@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def of_domain(domain: Domain) -> CertifiedClaim:
-    """Return that the domain around its centre has these sides, by the units across them."""
+    """Return the certified claim that a domain has these sides, given by the units across them."""
     parts = [_joined([domain.center_element]), _joined(domain.polygon.units)]
     return domain.group.order.claim("dirichlet-domain", parts, {})
 

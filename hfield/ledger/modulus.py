@@ -108,7 +108,7 @@ class ModulusLaw:
 
     @property
     def text(self) -> str:
-        """The law as printed, or its twin."""
+        """The law as printed, or its counterpart."""
         return "|pq| = |p||q|" if self.operation == "*" else "|pq| = |p| + |q|"
 
     @property

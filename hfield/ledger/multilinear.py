@@ -267,7 +267,7 @@ class LastArgument:
         return for_every_k(f"last-argument{{{self.upper}; {_numbers(self.arities)}}}")
 
     def decide(self, field: Ring | None) -> Decision:
-        """Expand both sides; a summand beyond the basis is any vector b at all."""
+        """Expand both sides; a summand beyond the basis has an arbitrary vector b."""
         for k in self.arities:
             form = Form(k, (*(f"x{n}" for n in range(N + 1)), *(f"b{n}" for n in range(N))))
             x, b = form.extra[: N + 1], form.extra[N + 1 :]

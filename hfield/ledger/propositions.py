@@ -41,7 +41,7 @@ class Assertion:
     def of(
         cls, formula: Node | str, given: Sequence[Node | str] = (), words: str = ""
     ) -> Assertion:
-        """Return the statement that a tree says, under hypotheses that are trees or texts."""
+        """Return the statement of a tree, under hypotheses that are trees or texts."""
         return cls(written(formula), tuple(map(written, given)), words)
 
     @property

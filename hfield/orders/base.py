@@ -262,7 +262,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Ideals that generate the class group, none where all ideals are principal."""
 
     def square_classes(self, prime: PrimeT) -> tuple[int, Callable[[NumberT], int]]:
-        """Return how many binary digits number the units modulo squares at a prime, and a function.
+        """Return the number of bits of a class of local units modulo squares, and the map to classes.
 
         It returns the class of the unit part of a number, for a fixed uniformiser.
         """

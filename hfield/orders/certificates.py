@@ -346,7 +346,7 @@ class _Words(Protocol):
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation | None:
-        """Return the evidence that no element carries one ideal to another, if there is any."""
+        """Return the evidence that no element maps one ideal onto another, if there is any."""
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
         """Return a proof that definite orders of one discriminant are not isomorphic, or None."""

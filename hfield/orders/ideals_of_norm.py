@@ -46,7 +46,7 @@ MAX_LISTED_IDEALS = 10**5
 
 
 def two_sided_prime(order: LatticeValue, prime: Prime) -> LatticeValue:
-    """Return the two-sided ideal at P that generates, with the ideals of the base, all of them there.
+    """Return a two-sided ideal that generates, with ideals of the base, the invertible two-sided ideals at P.
 
     It is P·O, of norm P², where P does not divide the discriminant; else it has the norm Pᵉ, the part of
     the discriminant at P. Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.

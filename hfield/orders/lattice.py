@@ -1186,7 +1186,7 @@ class Ideal(Certified, Lattice):
         )
 
     def pullback(self, other: Ideal) -> Ideal:
-        """Return ``I·J + N(J)·O``, for J a left ideal of the right order of I: what I pushes forward to J."""
+        """Return ``I·J + N(J)·O``, the ideal whose pushforward by I is J, a left ideal of O_R(I)."""
         if self.side == "right" or other.side == "right" or other.order != self.right_order():
             raise LatticeError(
                 "the pullback along a left ideal I is defined for left ideals of the right order of I"
@@ -1601,9 +1601,9 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         }
 
     def exchanged(self, prime: object) -> list[int]:
-        """Return which class each becomes by the two-sided prime ideal at a prime.
+        """Return the permutation of the classes by the two-sided prime ideal at a prime, as a list.
 
-        Raises :class:`LatticeError` where the order is neither maximal nor Eichler there.
+        Raises :class:`LatticeError` if the order is neither maximal nor Eichler at this prime.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra(37).maximal_order().class_set().exchanged(37)

@@ -121,7 +121,7 @@ def neighbours_at(order: LatticeValue, prime: Prime) -> Neighbours:
 
 @lru_cache(maxsize=64)
 def two_sided_at(order: LatticeValue, prime: Prime) -> Neighbours:
-    """Return the two-sided ideal of norm P in an order, and with it that in its right ideals."""
+    """Return the two-sided ideal of norm P in an order, from which those in right ideals are computed."""
     return Neighbours(order, prime, [two_sided_prime(order, prime)])
 
 

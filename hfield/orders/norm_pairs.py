@@ -164,7 +164,7 @@ class _SplitIdeal:
 
     @classmethod
     def of(cls, ideal: LatticeValue, f: QuadraticFrame, norm: int) -> _SplitIdeal | None:
-        """Return J in this form; None where J ∩ R is no principal ideal."""
+        """Return the data of an ideal J; None if J ∩ R is no principal ideal."""
         basis = [f.beta, f.alpha * f.beta, ideal.algebra(1), f.alpha]
         den, rows = spanning_rows(ideal.ambient, basis)
         inside, d = hermite.in_coordinates(rows, ideal.matrix)

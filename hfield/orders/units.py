@@ -28,7 +28,7 @@ def units(order: LatticeValue) -> tuple[Quaternion, ...]:
 
 
 def units_modulo_scalars(order: LatticeValue) -> Iterator[fmpq_mat]:
-    """Yield one of each coset of the units of the base in those of an order. Raises likewise."""
+    """Yield one of each coset of the units of the base in those of an order, if the algebra is definite."""
     expect_definite(order.ambient, "units()")
     for u in order.ambient.base.positive_units:
         yield from rows_of_norm(order, u)

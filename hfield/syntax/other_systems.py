@@ -170,7 +170,7 @@ class OtherSystemWriter:
 
 
 def read(text: str) -> str | None:
-    """Return the text here of an algebra that Magma, Sage or PARI wrote, or None if it is no such text.
+    """Convert the text of an algebra by Magma, Sage or PARI to our notation; None for any other text.
 
     >>> read("QuaternionAlgebra< RationalField() | -1, -3 >"), read("alginit(nfinit(y^2-5), [-1, y])")
     ('(-1,-3|QQ)', '(-1,s|QQ[s]/(s^2-5))')

@@ -144,7 +144,7 @@ class Slerp:
 
 
 def place(x: Array, times: Array) -> tuple[Array, Array]:
-    """Return for each x (…) the interval of the times (n,) it is in, and where there, from 0 to 1."""
+    """Return the number of the interval of ``times`` (n,) that contains x (…), and where in it, 0 to 1."""
     n = interval(x, times)
     start = taken(times, n)
     return n, (x - start) / (taken(times, n + 1) - start)

@@ -44,7 +44,7 @@ PI = Fraction(314159265358979323846264338327950288, 10**35)
 def class_group(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """The class group is a product of cyclic groups of these orders, each dividing the next."""
+    """Check that the class group is a product of cyclic groups of these orders, each dividing the next."""
     stated = [int(d) for d in parts[0].split(",")]
     _expect_proved(verdict)
     shown = SUnits(field_of(setting), evidence)

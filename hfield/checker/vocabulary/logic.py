@@ -237,7 +237,7 @@ class _Logic:
         self.inside = statements_inside(p, setting)
 
     def part(self, n: int, verdict: str, evidence: object) -> CheckResult:
-        """Check a part that is a statement, where the word speaks of it."""
+        """Check the evidence for the n-th part of a compound statement, which is a statement itself."""
         text, setting = self.inside[n]
         found = establish_any(text, setting, verdict, evidence, self.depth + 1)
         if self.p.word == "angles" and n:  # said of RR alone, it is shown wherever it is said

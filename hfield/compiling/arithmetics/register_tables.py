@@ -43,7 +43,7 @@ class RegisterField(ByLogarithms):
         return 2 if self.capacity**2 <= HALF else 1
 
     def tables(self) -> tuple[np.ndarray, ...]:
-        """Return tables: logarithms, digits of powers packed in bytes, and the part of the label of a byte."""
+        """Return tables: logarithms, digits of powers in bytes, and the part of the label of each byte."""
         return _tables(self)
 
     def constant(self, code: Code, value: int) -> Logarithm:

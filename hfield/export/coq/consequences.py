@@ -121,7 +121,7 @@ def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] 
 
 
 class Directly:
-    """Derives a formula as Coq does over commutative rings, to know whether it will."""
+    """A derivation of a formula as Coq makes it over commutative rings, to predict whether Coq succeeds."""
 
     def __init__(self, items: Sequence[CertificateItem]) -> None:
         self.items = [i for i in items if i.is_direct]

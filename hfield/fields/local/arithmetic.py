@@ -95,7 +95,7 @@ class LocalArithmetic(CompletionArithmetic):
             F.check_digits(c.b, F.pole(c.a) + 1, what)
 
     def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
-        """Say by which symbol."""
+        """Return a text with the symbol that shows the ramification."""
         a, b = (self.ring.text(x) for x in form.constants)
         symbol = f"({a}, {b})" if form.kind == "symbol" else f"[{a}, {b})"
         return f"the Hilbert symbol {symbol} over {self.ring} is −1"

@@ -158,7 +158,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return FieldElement(self, flint.fmpq_poly(list(values)))
 
     def monomials(self) -> tuple[list[list[flint.fmpq]], list[tuple[int, ...]]]:
-        """Return the powers of the generator by the monomials of texts, and the exponents of these."""
+        """Return the powers of the generator in terms of the monomials of texts, and their exponents."""
         rows = [[flint.fmpq(m == n) for m in range(self.degree)] for n in range(self.degree)]
         return rows, [(n,) for n in range(self.degree)]
 

@@ -200,7 +200,7 @@ class SpelledField(NumberField):
         return value
 
     def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return x in products of powers of the numbers in the name, as sympy has these."""
+        """Return x in sympy, as a combination of products of powers of the named numbers."""
         import sympy
 
         numbers = [_number_of_sympy(n) for n in self._numbers]

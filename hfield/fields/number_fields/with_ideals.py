@@ -91,7 +91,7 @@ class WithIdeals(Hinted):
         return unit_group(self._field)
 
     def totally_positive_units(self) -> tuple[FieldElement, ...]:
-        """Return generators of the group of totally positive units. Raises likewise.
+        """Return generators of the group of totally positive units. Raises as :meth:`unit_group` does.
 
         >>> from hfield import ring
         >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]

@@ -124,7 +124,7 @@ class RationalFunctions(FractionField):
         images: Mapping[str, Any],
         below: Callable[[Ring, Ring], Callable[[Any], Any]],
     ) -> Callable[[SparsePolynomial], Any]:
-        """Return the map of polynomials."""
+        """Return the homomorphism on polynomials that substitutes values."""
         return self.polynomials.evaluation(target, images, below)
 
     def partial(self, poly: SparsePolynomial, variable: str) -> SparsePolynomial:

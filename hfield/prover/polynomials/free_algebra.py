@@ -51,7 +51,7 @@ class Rewriting:
         return True
 
     def reduce(self, f: Words, cofactors: Cofactors) -> tuple[Words, Cofactors]:
-        """Return the normal form of f; ``cofactors`` go on saying what was subtracted, negated."""
+        """Return the normal form of f; add the negatives of the subtracted multiples to ``cofactors``."""
         f, cofactors, rest = dict(f), dict(cofactors), {}
         while f:
             word = max(f, key=self._key)

@@ -450,7 +450,7 @@ class SUnits:
         return self._bound_of_units
 
     def unit_index_bound(self, regulator: flint.arb) -> int:
-        """Return the same for a lower bound of the regulator."""
+        """Return a bound for the index of the units found, by a lower bound of the regulator."""
         if not self.units:
             return 1
         with precision(128):
@@ -483,7 +483,7 @@ class SUnits:
 
     @property
     def known_regulator(self) -> tuple[flint.arb, str]:
-        """A lower bound for the regulator that holds for all fields of the kind, and by whom."""
+        """A lower bound for the regulator from the degree, rank and discriminant, and its source."""
         if not self.rank:
             return flint.arb(1), "the unit rank is 0"
         if self.n == 2:
