@@ -113,7 +113,7 @@ class Similarity(NamedTuple):
 def align_similarity(
     source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
 ) -> Similarity:
-    """Return the similarity that takes points ``source`` closest to ``target``, of positive scale.
+    """Return the similarity, of positive scale, that maps points ``source`` closest to ``target``.
 
     S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
     Trans. PAMI 13 (1991). Parameters and errors are those of `align_points`; all points of the source in

@@ -38,6 +38,6 @@ def running_products(q: Array, frame: str) -> Array:
 
 
 def check_frame(frame: str) -> None:
-    """Raise RotationError unless ``frame`` is one."""
+    """Raise RotationError unless ``frame`` is a valid name of a frame."""
     if frame not in ("body", "world"):
         raise RotationError(f'frame {frame!r}: "body" or "world" is expected')

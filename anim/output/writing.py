@@ -16,7 +16,7 @@ from hfield.errors import shorten
 
 
 class OutputKind(Enum):
-    """The kind of output that a file name stands for."""
+    """The kind of output that the suffix of a file name selects."""
 
     FILM = "film"
     PAGE = "page"

@@ -126,8 +126,7 @@ def shade(
     light: Floats,
     numbers: Floats,
 ) -> None:
-    """Write the share of light that is left into ``grid`` (rows, columns), whose first point is ``start``
-    (2,).
+    """Write the share of unshadowed light into ``grid`` (rows, columns), whose first point is ``start`` (2,).
 
     ``cones`` (k, 5) are radius and height on the axis of one end and of the other, and how fast the radius
     grows; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.

@@ -75,7 +75,7 @@ MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
 
 
 class Opposite(NamedTuple):
-    """The opposite algebra, in which p and q have the product q·p, and how it is isomorphic.
+    """The opposite algebra, in which p and q have the product q·p, and the isomorphism onto it.
 
     ``isomorphism`` maps the given algebra onto ``algebra`` and turns products round, φ(pq) = φ(q)·φ(p).
     """

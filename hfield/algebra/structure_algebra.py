@@ -530,7 +530,7 @@ class _Term:
         self.algebra, self.products, self.number, self.vector = algebra, products, number, vector
 
     def like(self, number: Scalar, vector: Vector) -> _Term:
-        """Return another term of the same text."""
+        """Return a term of the same expression, with this value."""
         return _Term(self.algebra, self.products, number, vector)
 
     def scalar(self) -> Scalar:

@@ -31,7 +31,7 @@ class HermitianSignature(NamedTuple):
 
 
 def diagonal_form(M: Matrix) -> DiagonalForm:
-    """Return a diagonal form; over a division algebra there is one, and others have one unless 2 = 0.
+    """Return a diagonal form. It always exists over division algebras, and over others unless 2 = 0.
 
     Raises :class:`CoercionError` unless M* = M, :class:`UndecidedError` where no pivot is found.
     """
@@ -44,7 +44,7 @@ def diagonal_form(M: Matrix) -> DiagonalForm:
     rows, basis = [list(row) for row in M.rows], [list(row) for row in (M**0).rows]
 
     def add(source: int, target: int, c: Quaternion) -> None:
-        """Add b_source·c to the target in the basis."""
+        """Replace the basis vector b_target by b_target + b_source·c."""
         for row in (*rows, *basis):
             row[target] = row[target] + row[source] * c
         left = c.conjugate()

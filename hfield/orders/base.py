@@ -187,7 +187,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """The number of units; None if it is infinite."""
 
     def norm_bound(self, lattice: LatticeValue, n: object) -> int:
-        """Return the largest value that norms may have for a bound that a user gives, over the content."""
+        """Return the user's bound of norms as a bound of their values divided by the content."""
 
     def absolute_norm(self, ideal: IdealT) -> int:
         """Return the number of residues modulo an integral ideal."""

@@ -160,7 +160,7 @@ class EuclideanDomain(Protocol):
         """Return up to three residues modulo p, 0 and 1 first."""
 
     def small(self, size: int) -> Iterator[Integer]:
-        """Yield numbers of a size, the sizes 0, 1, 2, … exhaust all."""
+        """Yield numbers of a size; together the sizes 0, 1, 2, … give all numbers."""
 
     def sort_key(self, numbers: tuple[Integer, ...]) -> SupportsRichComparison:
         """Return what numbers of a tuple are sorted by."""

@@ -75,7 +75,7 @@ def _row_of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Row
 def norm_dividing(
     lattice: LatticeValue, number: int, rng: random.Random
 ) -> tuple[Quaternion | None, bool, int]:
-    """Return an element for which N(x)/N(L) divides a number, the least one where that can be searched for.
+    """Return an element for which N(x)/N(L) divides a number, with the least norm if that can be found.
 
     With it whether the answer is proved, and up to which bound all norms were decided.
     """

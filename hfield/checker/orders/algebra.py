@@ -28,7 +28,7 @@ MAX_DEGREE = 6
 
 
 class Algebra:
-    """Products, conjugates, traces and pairings of rows; all of them come ``scale`` times too large.
+    """Products, conjugates, traces and pairings of rows; each result is multiplied by ``scale``.
 
     The caller spends the work, by the ``bits`` of the lattice that contains the rows.
     """
@@ -115,7 +115,7 @@ class Algebra:
         return [(k, m, row) for k, rows in enumerate(table) for m, row in enumerate(rows)]
 
     def left(self, x: Sequence[int]) -> Rows:
-        """Return the matrix that takes a row y to x·y."""
+        """Return the matrix that maps a row y to x·y."""
         return self._parted(times([x], self._left)[0])
 
     def right(self, y: Sequence[int]) -> Rows:

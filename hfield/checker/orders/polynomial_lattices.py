@@ -60,7 +60,7 @@ class PolynomialLattice(Lattice):
         return degrees
 
     def up_to_degree(self, degree: int) -> Iterator[Row]:
-        """Yield all elements with norms, :attr:`unit` times too large, of at most a degree."""
+        """Yield all elements for which :attr:`unit` times the norm has at most a degree."""
         bounds = [(degree - own) // 2 + 1 for own in self.degrees]
         spend(self.polynomials.order ** max(max(bounds), 0))  # lists of polynomials
         choices = [list(self.polynomials.of_degree_below(bound)) for bound in bounds]

@@ -174,7 +174,7 @@ class SplitIdeal(ModuloNumber):
 
 
 class InertNumber(Place):
-    """ℚ(√d) at an odd n prime to d: integral are u + v·√d with u, v integral at n.
+    """ℚ(√d) at an odd n prime to d; u + v·√d is integral if u and v are integral at n.
 
     Where p in n does not split, an element of GF(p²) is a square if its norm is one in GF(p); where p splits
     and the norm of D is none, D is none at one of the two prime ideals. So the symbol of the norm tells.

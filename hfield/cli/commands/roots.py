@@ -57,7 +57,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Find the roots and print."""
+    """Find the roots and print them."""
     answer = partial(_roots, algebra_of(args), args.variable, args.list)
     return answer_all(args, answer, COLUMNS, apart=False)
 

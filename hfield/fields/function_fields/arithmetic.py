@@ -186,7 +186,7 @@ class OverEven(FunctionArithmetic):
         return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
 
     def of_trace_one(self, form: NormalForm, n: RationalFunction) -> Coordinates | None:
-        """Return x by a conic, unless y² + y = n has a solution where the algebra ramifies."""
+        """Return x of trace 1 and norm n, or None if y² + y = n is soluble at a ramified place."""
         one = self.ring.one
         return None if self.obstruction(form, one, n) else of_trace_one(self.ring, form, n)
 

@@ -66,7 +66,9 @@ class WithIdeals(Hinted):
         return class_group(self._field)
 
     def narrow_class_group(self) -> ClassGroup:
-        """Return the group of ideals modulo those with a totally positive generator. Raises likewise.
+        """Return the group of ideals modulo those with a totally positive generator.
+
+        Raises as :meth:`class_group` does.
 
         >>> from hfield import ring
         >>> ring("QQ(sqrt(3))").narrow_class_group().order

@@ -64,7 +64,7 @@ class RationalArithmetic(GlobalField):
     def with_ramification(
         self, places: Sequence[Place], infinite: bool | None = None
     ) -> tuple[Scalar, Scalar]:
-        """Return constants for some primes, and ∞ where it is named or the flag says so, or it takes it."""
+        """Return constants of an algebra that ramifies at the given primes, and at ∞ if named or needed."""
         return from_ramification_q(places, infinite)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
@@ -83,7 +83,7 @@ class RationalArithmetic(GlobalField):
         return (square_class(x),)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by an isometry of lattices."""
+        """Return I and J in one algebra with the relations of another, by an isometry of lattices."""
         return embed_rational(self.ring, outer, inner)
 
     def traceless_root(self, form: NormalForm, s: flint.fmpq) -> Coordinates | None:

@@ -60,7 +60,7 @@ class _Ordered(ValueRing):
     def to_sympy(
         self, x: flint.fmpz | flint.fmpq, symbols: Mapping[str, sympy.Symbol]
     ) -> sympy.Expr:
-        """Return the number as sympy has it."""
+        """Return the number as a number of sympy."""
         import sympy
 
         return sympy.Rational(int(x.numerator), int(x.denominator))

@@ -102,7 +102,7 @@ class System:
                     yield case
 
     def row(self, f: flint.fmpz_mpoly) -> Row | None:
-        """Return the equation f = 0 as a row, None if it is not linear in what is sought."""
+        """Return the equation f = 0 as a row, None if it is not linear in the unknowns."""
         row = [self.context.constant(0)] * (len(self.bound) + 1)
         for m, c in collected(f, self.bound).items():
             if sum(m) > 1:
