@@ -133,7 +133,7 @@ def written(function: FunctionType, kinds: Sequence[Any]) -> str:
     signature: list[Any] = []
 
     def taken(kind: Any) -> str:
-        """Return the words that make an argument of what is passed for it."""
+        """Return code for an argument in terms of the machine words in which it is passed."""
         here = len(names)
         if isinstance(kind, str):
             names.append(f"x{here}")

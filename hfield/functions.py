@@ -60,7 +60,7 @@ def trace(q: Quaternion) -> flint.fmpq:
 
 
 def conjugator(p: Quaternion, q: object) -> Quaternion | None:
-    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` tells why there is none.
+    """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` gives the reason.
 
     >>> from hfield import H
     >>> _, i, j, _ = H("QQ").basis

@@ -98,7 +98,7 @@ _OPERATORS = {"=", "==", "!=", "+", "-", "*", "/", "<", ">", "=>", "<=>", "<=", 
 
 
 def words(text: str) -> str:
-    r"""Return a text as LaTeX's text: what is mathematical in it in dollars, the rest escaped.
+    r"""Return a text as text of LaTeX: its formulas are set between dollars, the rest is escaped.
 
     >>> words("p·q̄ ≠ 0 over QQ(sqrt(2)), nie więcej")
     '$p\\cdot \\overline{q} \\neq 0$ over $\\mathbb{Q}(\\sqrt{2})$, nie wi\\k{e}cej'
@@ -186,7 +186,7 @@ def _roots(text: str) -> str:
 
 
 def _conjugates(text: str) -> str:
-    """Write conj(…) as a line over what is inside."""
+    """Write conj(…) as a line over its argument."""
     for at in reversed([found.start() for found in re.finditer(r"(?<![\w\\])conj\(", text)]):
         end = _end_of_group(text, at + len("conj"))
         if end is not None:

@@ -8,7 +8,7 @@ from typing import Any
 
 
 def lazy_alias(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return ``__getattr__`` and ``__dir__`` of a module that stands for a package.
+    """Return ``__getattr__`` and ``__dir__`` of a module that is an alias of a package.
 
     >>> get, _ = lazy_alias("math")
     >>> get("gcd")(6, 4)

@@ -123,7 +123,7 @@ def variable_name(x: Any) -> str:
 def values_given(
     values: Mapping[Any, object] | None, named: Mapping[str, object]
 ) -> dict[str, object]:
-    """Return the values of variables by their names. Raises :class:`CoercionError` for what is unclear."""
+    """Return the values of variables by their names. Raises :class:`CoercionError` for unclear ones."""
     if values is not None and not isinstance(values, Mapping):
         raise CoercionError(
             f"expected values of variables, as in subs({{x: 1}}) or subs(x=1), not {shorten(repr(values))}"

@@ -32,7 +32,7 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
 
 
 def generator(rng: Seed | None, seed: Seed | None) -> "np.random.Generator":
-    """Return the generator that one of the two stands for; raises RotationError where none can be."""
+    """Return the random generator that one of two arguments gives. Raises RotationError for other values."""
     if rng is not None and seed is not None:
         raise RotationError("rng and seed are two names of the same argument; give only one")
     given = seed if rng is None else rng

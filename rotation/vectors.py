@@ -147,7 +147,7 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
 
 
 def _logarithm(xp: Namespace, w: Array, u: Coordinates) -> Array:
-    """The inverse of `_exponential`, likewise."""
+    """Return the inverse of `_exponential`, also without pairs."""
     square = sum_of_squares(u)
     short = square < SHORT
     n = xp.sqrt(xp.where(short, xp.ones_like(square), square))

@@ -47,7 +47,7 @@ class Arithmetic(ABC):
 
     @abstractmethod
     def store(self, code: Code, x: Any) -> str:
-        """Return what is to be written to a row."""
+        """Return the value to write into a row."""
 
     @abstractmethod
     def constant(self, code: Code, value: Any) -> Any:

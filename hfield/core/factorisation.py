@@ -133,7 +133,7 @@ class _KnownPrimes:
 
 
 def checked_primes(factors: Factors) -> frozenset[int]:
-    """Return the numbers, each proved prime. Raises :class:`RingError` for what is none."""
+    """Return the numbers, each proved prime. Raises :class:`RingError` for a number that is not prime."""
     if isinstance(factors, str) or not isinstance(factors, Iterable):
         raise RingError(
             f"{shorten(repr(factors))} is not a list of prime factors; expected a list such as [2, 11]"

@@ -68,7 +68,7 @@ class FloatingPoint(ValueRing[N]):
         return x
 
     def not_finite(self, shown: str) -> CoercionError:
-        """Return the error for what is no finite number."""
+        """Return the error for a value that is not a finite number."""
         return CoercionError(f"{shown} is not an element of {self}: expected a finite {self.dtype}")
 
     def inverse(self, x: N) -> N:

@@ -311,7 +311,7 @@ class PolynomialRing(Ring):
 
 
 def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
-    """Return the polynomial ring. Raises :class:`RingError` for what is not offered."""
+    """Return the polynomial ring. Raises :class:`RingError` for other coefficients."""
     shown = shorten(f"{base}[{','.join(variables)}]")
     if base not in (ZZ, QQ) and not isinstance(base, PrimeField):
         raise RingError(

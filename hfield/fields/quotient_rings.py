@@ -146,7 +146,7 @@ def _back(base: Ring, c: Any) -> Any:
 
 
 def build(base: Ring, variable: str, text: str) -> QuotientRing:
-    """Return R[x]/(f). Raises :class:`RingError` for what is no monic polynomial of positive degree."""
+    """Return R[x]/(f). Raises :class:`RingError` unless f is monic of positive degree."""
     what = f"{base}[{variable}]/({shorten(text)})"
     f = read_polynomial(base, variable, text, what)
     if not 2 <= len(f) - 1 <= MAX_DEGREE:

@@ -56,7 +56,7 @@ def signature_of(
 
 
 def _signature(area: Fraction, orders: tuple[int, ...], cusps: int) -> Signature:
-    """Return the signature with the genus that Gauss and Bonnet tell."""
+    """Return the signature, with the genus by the formula of Gauss and Bonnet."""
     twice = area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
     if twice % 2 or twice < 0:
         raise ArithmeticError(f"elliptic points {orders} and {cusps} cusps do not fit the area")

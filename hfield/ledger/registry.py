@@ -42,7 +42,7 @@ def _foreign() -> Iterator[Claim]:
 
 
 def find_all(name: str) -> list[Claim]:
-    """Return the claims of the thesis that a name stands for: a claim, its numbered words, a section.
+    """Return the claims of the thesis with a name: that of a claim, its numbered words, or of a section.
 
     >>> [claim.id for claim in find_all("twierdzenie 3")]
     ['C1.3.1-z']

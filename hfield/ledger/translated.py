@@ -81,7 +81,7 @@ class Translation:
         return self._by_claim.get(claim.id)
 
     def printed(self, claim: Claim) -> str:
-        """Return what is printed, in the ledger's words where it is not quoted."""
+        """Return the printed text, quoted or in the ledger's words."""
         return self._whole.get(claim.printed, claim.printed)
 
     def _pairs(self, claim: Claim) -> Iterator[tuple[str, str]]:

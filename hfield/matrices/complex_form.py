@@ -72,7 +72,7 @@ class Pair:
 
 
 def column(v: Complex) -> Pair:
-    """Return the column of unit length that complex vectors of twice the size stand for."""
+    """Return the column of unit length that complex vectors of twice the size represent."""
     n = v.shape[-1] // 2
     x = v / np.linalg.norm(v, axis=-1, keepdims=True)
     return Pair(x[..., :n, None], -x[..., n:, None].conj())

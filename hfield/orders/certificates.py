@@ -341,7 +341,7 @@ class _Words(Protocol):
         """Write primes as statements do."""
 
     def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
-        """Return evidence that has also what is to be known of some primes."""
+        """Return the evidence, extended by the data of some primes."""
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue

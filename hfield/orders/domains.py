@@ -169,10 +169,10 @@ class EuclideanDomain(Protocol):
         """Return a number as plain data, which :attr:`integer` reads."""
 
     def code(self, x: Integer, /) -> int:
-        """Return an integer that stands for a number, for packed storage."""
+        """Return an integer that encodes a number, for packed storage."""
 
     def decode(self, n: int, /) -> Integer:
-        """Return the number that an integer stands for."""
+        """Return the number that an integer encodes."""
 
 
 class IntegerDomain:

@@ -147,7 +147,7 @@ class _NewformEvidence:
 
     @cached_property
     def _matrix(self) -> fmpz_mat:
-        """The operator that tells the newforms apart."""
+        """The operator that distinguishes the newforms."""
         entries = [0] * self.size**2
         for P, c in self.operator.items():
             for i, row in enumerate(self.classes.neighbours(P)):

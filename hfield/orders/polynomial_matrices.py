@@ -105,7 +105,7 @@ class PolynomialMatrix:
         return PolynomialMatrix(self.domain, n, self._rows, entries)
 
     def hnf(self) -> PolynomialMatrix:
-        """Return the row Hermite form: in echelon, pivots monic, of larger degree than what is above."""
+        """Return the row Hermite form: echelon, with monic pivots of larger degree than the entries above."""
         rows, size = self.tolist(), self._columns
         top = 0
         for k in range(size):

@@ -152,7 +152,7 @@ def rows_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
 
 
 def of_norm_at_most(lattice: LatticeValue, n: object) -> tuple[Quaternion, ...]:
-    """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise.
+    """Return all x, 0 too, with Tr(N(x)) at most a rational number, ascending. Raises :class:`TooLargeError`.
 
     Over polynomials the number bounds the degree of N(x).
     """

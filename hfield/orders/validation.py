@@ -30,7 +30,7 @@ def expect_number_field(base: Base, error: HFieldError) -> None:
 
 
 def listed(elements: object) -> list[object]:
-    """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
+    """Return elements as a list. Raises :class:`LatticeError` for a single element or another value."""
     if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
         raise LatticeError(
             f"{shorten(repr(elements))} is not a list of elements: expected one, such as [e, i, j, k]"
@@ -77,7 +77,7 @@ def integer(n: object, what: str) -> int:
 
 
 def prime(p: object) -> int:
-    """Return a prime as an int. Raises :class:`LatticeError` for what is none."""
+    """Return a prime as an int. Raises :class:`LatticeError` for another value."""
     if not isinstance(p, (int, flint.fmpz)) or isinstance(p, bool) or not is_prime(int(p)):
         raise LatticeError(f"{shorten(repr(p))} is not a prime number")
     return int(p)

@@ -190,7 +190,7 @@ def points_of(found: object) -> Array:
 
 
 def wrong_result(way: Way, turned: Array, expected: Array, task: Task) -> str | None:
-    """Return what is wrong with the points of a frame, with the first wrong one; None if they are right."""
+    """Return a description of the first wrong point of a frame; None if all are right."""
     if turned.shape != expected.shape:
         what = f"has the shape {turned.shape}" if turned.shape else "is not an array of points"
         return f"the result {what}; expected the shape {expected.shape}"

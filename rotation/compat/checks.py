@@ -90,7 +90,7 @@ def common(one: tuple[int, ...], other: tuple[int, ...], what: str = "Cannot bro
 
 
 def batch(num: int | None, shape: object) -> tuple[int, ...]:
-    """Return the batch shape that scipy's ``num`` or ``shape`` stands for."""
+    """Return the batch shape that scipy's ``num`` or ``shape`` means."""
     if num is not None and shape is not None:
         raise RotationError("Only one of `num` or `shape` can be given.")
     if shape is None:

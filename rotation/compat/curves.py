@@ -15,7 +15,7 @@ FEW = "`rotations` must be a sequence of at least 2 rotations."
 
 
 def _keyframes(rotations: Rotation, words: str) -> Rotation:
-    """Return a list of at least two rotations; ``words`` are for what is not a rotation."""
+    """Return a list of at least two rotations; ``words`` are the error message for other values."""
     found = Rotation._of(checks.expected(checks.quaternions(rotations), rotations, words))
     if found.single or len(found) < 2:
         raise RotationError(FEW)

@@ -46,7 +46,7 @@ def is_made_of_words(seed: int) -> bool:
 
 
 def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
-    """Say that all that ``random()`` returns lies in an interval; ``holds`` tells it of the extremes."""
+    """Say that all numbers of ``random()`` lie in an interval; ``holds`` checks the extreme ones."""
 
     def check_claim() -> ComputedResult:
         low, high = returned(0, 0), returned(ONES, ONES)

@@ -1,4 +1,4 @@
-"""The two tables of times printed in 3.2.1, in seconds, and what is computed from them as terms."""
+"""The two tables of times printed in 3.2.1, in seconds, and terms computed from them."""
 
 Times = tuple[int, ...]
 

@@ -71,7 +71,7 @@ def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Node]]:
 
 
 def determined(*cosines: str) -> Assertion:
-    """Say that equal matrices come from equal angles, given what is said of the middle ones' cosines.
+    """Say that equal matrices come from equal angles, under a condition on the cosines of the middle angles.
 
     The last row and the first column of the matrices tell the angles already.
     """

@@ -57,7 +57,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
 
 
 def _degrees(tree: Tree, names: list[str]) -> Degrees:
-    """Return in which degrees in each unknown the terms are; rejects what is not multilinear."""
+    """Return the degrees of the terms in each unknown; reject terms that are not multilinear."""
     kind = tree[0]
     if kind == "num" and isinstance(tree[1], int):
         return {(0,) * len(names)} if tree[1] else set()

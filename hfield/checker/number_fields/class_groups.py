@@ -302,7 +302,7 @@ class SUnits:
         return _at(c, r, q) * pow(den, -1, q) % q
 
     def _least_volume(self) -> tuple[int, str]:
-        """Return a lower bound of the regulator over 2^(DIGITS·rank), and by whom."""
+        """Return a lower bound of the regulator over 2^(DIGITS·rank), and its source."""
         n, size, rank = self.field.degree, abs(self.integers.discriminant), self.places.rank
         if (
             n == 2

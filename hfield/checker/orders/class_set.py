@@ -34,7 +34,7 @@ def need_class_set(
     divided: Callable[[Any, Any], tuple[set[Key], int]],
     mass: Fraction,
 ) -> list[int]:
-    """Return how many units left orders have modulo those of the field. Rejects what is no class set.
+    """Return the numbers of units of left orders modulo those of the field; reject other lists.
 
     These ideals have to represent each class once; each has 1/ν and the index of its a.
 

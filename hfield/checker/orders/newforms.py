@@ -172,7 +172,7 @@ class FunctionsOnClasses:
         return found
 
     def _prime_of_index(self, above: Lattice) -> Prime:
-        """Return the prime of the level at which an order is larger. Rejects what is no order above."""
+        """Return the prime of the level at which an order is larger; reject other lattices."""
         one = self.order.algebra.number(self.order.algebra.integers.one)
         if not (
             above.holds(1, [one])

@@ -112,7 +112,7 @@ class Residues(Finite):
         return x * y % self.characteristic
 
     def inverse(self, x: int) -> int | None:
-        """Return 1/x, None for what is not a unit."""
+        """Return 1/x, or None if x is not a unit."""
         spend_inverse(self.characteristic)
         try:
             return pow(x, -1, self.characteristic)

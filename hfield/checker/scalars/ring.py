@@ -68,7 +68,7 @@ class Ring(ABC):
 
     @abstractmethod
     def inverse(self, x: Any) -> Hashable | None:
-        """Return 1/x, None for what is not a unit."""
+        """Return 1/x, or None if x is not a unit."""
 
     @property
     def is_domain(self) -> bool:

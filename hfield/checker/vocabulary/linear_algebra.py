@@ -121,7 +121,7 @@ CHOICES = ("all", "constant", "short", "all-but-one")
 
 
 def _choice(word: str, k: int) -> set[Tuple]:
-    """Return the tuples of basis vectors that a word stands for."""
+    """Return the tuples of basis vectors that a word names."""
     spend(N**k)
     if word == "constant":
         return {(n,) * k for n in range(N)}

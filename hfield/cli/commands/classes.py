@@ -112,7 +112,7 @@ def _answer(
 
 
 def _data(O: Order, number: int) -> dict[str, object]:
-    """Return what is known without enumerating classes, as JSON data."""
+    """Return the invariants that need no enumeration of classes, as JSON data."""
     return {
         "schema": "hfield-classes/1",
         "algebra": str(O.algebra),

@@ -122,7 +122,7 @@ def _lean(args: Namespace) -> int:
 
 
 def _certificates(files: list[str]) -> dict[str, object]:
-    """Read certificates, by names for their theorems. Raises UsageError for what is no JSON file."""
+    """Read certificates, by names for their theorems. Raises UsageError for a file that is not JSON."""
     out: dict[str, object] = {}
     for file in files:
         base = name = "certificate_" + re.sub(r"[^0-9A-Za-z]+", "_", Path(file).stem)

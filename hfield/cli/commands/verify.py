@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
 
 
 def _verify(args: Namespace) -> int:
-    """Read what is to be decided, decide and report."""
+    """Read the claims and fields, decide them and report."""
     from hfield.core.executors import open_executor
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find

@@ -23,7 +23,7 @@ class Equation:
         return self.shown("=")
 
     def shown(self, sign: str) -> str:
-        """Return the proposition with this sign; where no unknown tells the type, it is written."""
+        """Return the proposition with this sign; the type is written if no unknown determines it."""
         text = f"{self.left.text} {sign} {self.right.text}"
         if not (self.left.closed and self.right.closed):
             return text

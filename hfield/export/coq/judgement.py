@@ -207,7 +207,7 @@ def implied(
 def _check_facts(
     j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], base_ring: BaseRing
 ) -> None:
-    """Raise NotCoveredError for what Coq does not know, MismatchError for what is wrong."""
+    """Raise NotCoveredError for facts that Coq cannot prove, MismatchError for wrong ones."""
     for form in used & {"norm", "squares"}:
         fact = next((f for f in facts if f["form"] == form), None)
         if fact is None:

@@ -29,7 +29,7 @@ BY_HAND = {
 def export_ledger(
     chosen: Sequence[Claim] = (), progress: Callable[[int, int, str], None] | None = None
 ) -> Export:
-    """Export what is proved for all fields among the claims chosen, all of them by default.
+    """Export the chosen claims, by default all, that are proved for all fields.
 
     ``progress`` is called with the number of finished claims, their total, and the current claim.
     """

@@ -114,7 +114,7 @@ KINDS = {kind.spelled: kind for kind in (Root, TraceOfPair, NormOfPair)}
 
 
 def read(name: str, arguments: Sequence[int | None]) -> Any:
-    """Return one of the three, from whole numbers. Raises :class:`CoercionError` for what is none."""
+    """Return a number of one of the three classes, from integers. Raises :class:`CoercionError`."""
     whole = [x for x in arguments if x is not None]
     if len(whole) < len(arguments) or not whole:
         raise CoercionError(

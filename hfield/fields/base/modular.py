@@ -83,7 +83,7 @@ class Modular(ValueRing):
         return sympy.Integer(int(x))
 
     def _modulus_of(self, x: Coefficient) -> int:
-        """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""
+        """Return the modulus of a residue; that of flint's fmpz_mod is computed from −1."""
         return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
 
     @property

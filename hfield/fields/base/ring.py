@@ -569,7 +569,7 @@ class WithVariables(Core[E]):
         return REGISTRY.functions.cosine_and_sine(ring, angle, parts)
 
     def derivative(self, x: E, variable: str) -> E:
-        """Return the derivative of x by a variable. Raises :class:`CoercionError` for what is none."""
+        """Return the derivative of x by a variable. Raises :class:`CoercionError` for another name."""
         shown = ", ".join(self.variable_names) or "none"
         raise CoercionError(
             f"{shorten(variable)} is not a variable of {self}; its variables: {shown}"

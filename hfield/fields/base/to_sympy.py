@@ -31,7 +31,7 @@ def polynomial_in(x: sympy.Expr, coefficients: Iterable[Any]) -> sympy.Expr:
 
 
 def scalar_to_sympy(x: Any, symbols: Symbols) -> sympy.Expr:
-    """Return an element of a ring as an expression. Raises :class:`CoercionError` for what is none."""
+    """Return an element of a ring as an expression. Raises :class:`CoercionError` for another value."""
     import sympy
 
     if isinstance(x, (int, float)):

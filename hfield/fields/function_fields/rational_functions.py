@@ -14,7 +14,7 @@ from hfield.fields.several_variables.ring import RationalFunctions, listed
 
 
 def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
-    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
+    """Return the field of rational functions. Raises :class:`RingError` for other constants."""
     if hasattr(base, "modulus_over_rationals"):
         return shared(OverNumberField, rational_functions(QQ, names), base)
     if not isinstance(base, FiniteField) and base != QQ:

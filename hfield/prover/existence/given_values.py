@@ -1,4 +1,4 @@
-"""Decide statements "for all … there is …" by trying values of what is given.
+"""Decide statements "for all … there is …" by trying values of the given unknowns.
 
 Where the equations for the unknowns that exist are linear, elimination at one choice of values is quick, so
 that many are tried. Other modules prove what is found.

@@ -39,7 +39,7 @@ class Case:
 
 
 def linear_cases(problem: Problem) -> tuple[list[Case], bool]:
-    """Return the cases in which what is said to exist can be written down, and whether they are all.
+    """Return the cases in which the existential unknowns have a formula, and whether these are all cases.
 
     Raises :class:`TooLargeError`.
     """

@@ -55,7 +55,7 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
 
 
 def put_in(conclusion: Node, terms: Mapping[str, Node]) -> Node:
-    """Return a conclusion with terms for what is said to exist, which says that they are defined.
+    """Return a conclusion with terms for the existential unknowns, and that these terms are defined.
 
     Comparisons with a term that is not defined are false. So where nothing but comparisons, "and" and "or" is
     said, it is true of any value instead; anything else may be true of no value at all.

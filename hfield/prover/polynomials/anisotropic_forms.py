@@ -198,7 +198,7 @@ class FormFinder:
     # --- coefficients ----------------------------------------------------------------------------
 
     def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], flint.fmpz_mpoly]:
-        """Return the coefficients, polynomials in the constants, by the exponents of what is free."""
+        """Return the coefficients, polynomials in the constants, by the exponents of the free variables."""
         return collected(f, self.free)
 
     def value(self, f: flint.fmpz_mpoly) -> flint.fmpz_mpoly:

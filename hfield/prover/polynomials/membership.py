@@ -138,7 +138,7 @@ class PolynomialIdeal:
         return Cofactors(factors, common)
 
     def _rational(self, f: Polynomial) -> tuple[dict[tuple[int, ...], int], int] | None:
-        """Return integer coefficients and a denominator that f stands for, or None."""
+        """Return f as integer coefficients over a denominator, or None."""
         decode, p = self.basis.monomials.decode, self.basis.p
         if self.characteristic:
             half = p // 2

@@ -6,14 +6,14 @@ ZERO, ONE = Number(0), Number(1)
 
 
 def plus(x: Node, y: Node) -> Node:
-    """Return x + y, without what is 0."""
+    """Return x + y, without summands 0."""
     if ZERO in (x, y):
         return y if x == ZERO else x
     return Binary("-", x, y.operand) if isinstance(y, Negate) else Binary("+", x, y)
 
 
 def minus(x: Node, y: Node) -> Node:
-    """Return x − y, without what is 0."""
+    """Return x − y, without summands 0."""
     if y == ZERO:
         return x
     if isinstance(y, Negate):
@@ -22,7 +22,7 @@ def minus(x: Node, y: Node) -> Node:
 
 
 def times(x: Node, y: Node) -> Node:
-    """Return x·y, without what is 0 or 1, the sign in front."""
+    """Return x·y, simplified if a factor is 0 or 1, the sign in front."""
     if ZERO in (x, y):
         return ZERO
     if ONE in (x, y):
@@ -41,7 +41,7 @@ def times(x: Node, y: Node) -> Node:
 
 
 def over(x: Node, y: Node, by_scalar: bool, left: bool = False) -> Node:
-    """Return x·y⁻¹, or y⁻¹·x; ``by_scalar`` tells that y is a scalar."""
+    """Return x·y⁻¹, or y⁻¹·x; ``by_scalar`` means that y is a scalar."""
     if x == ZERO or y == ONE:
         return x
     if by_scalar:

@@ -144,7 +144,7 @@ class _StatementWriter:
         return self.term(node)
 
     def order(self, node: Compare, left: Node, right: Node, claimed: bool) -> Node:
-        """Write out a comparison of scalars by what is a square."""
+        """Write out a comparison of scalars by squares."""
         self.need_no_quantifier(node.op, node)
         for side in (left, right):
             if not self.is_scalar(side):

@@ -1,4 +1,4 @@
-"""Evidence for class groups and units, for a checker that has arithmetic of its own: S-units."""
+"""Evidence for class groups and units, made of S-units, for an independent checker."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def cited(s: SUnits) -> tuple[str, ...]:
 
 
 def _second(s: SUnits, P: PrimeIdeal) -> list[int]:
-    """Return the second generator of a prime ideal in the integral basis, times what is prime to p."""
+    """Return the second generator of a prime ideal in the integral basis, times an integer prime to p."""
     if P.is_inert:
         return [0] * s.n
     rows, _ = coordinate_rows(s.field, [P.pi]).numer_denom()
