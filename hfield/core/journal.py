@@ -17,7 +17,7 @@ class Journal:
         self.path = path
 
     def read(self) -> list[Row]:
-        """Return the rows, without an incomplete last line. Raises ValueError for a line that is not JSON."""
+        """Remove an incomplete last line and return the rows. Raises ValueError for a line that is not JSON."""
         if not self.path.exists():
             return []
         data = self.path.read_bytes()

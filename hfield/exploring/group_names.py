@@ -351,7 +351,7 @@ def _contains(larger: np.ndarray, smaller: np.ndarray) -> bool:
 
 
 def _splits(group: FiniteGroup, inside: np.ndarray, quotient: FiniteGroup) -> bool:
-    """Return whether a normal subgroup has a complement; False also if :data:`MAX_TRIALS` trials find none."""
+    """Return whether a normal subgroup has a complement, False if :data:`MAX_TRIALS` trials find none."""
     import numpy as np
 
     normal = np.flatnonzero(inside)
