@@ -17,7 +17,7 @@ class Journal:
         self.path = path
 
     def read(self) -> list[Row]:
-        """Remove an incomplete last line and return the rows. Raises ValueError for a line that is not JSON."""
+        """Cut off an incomplete last line and return the rows. Raises ValueError for one that is not JSON."""
         if not self.path.exists():
             return []
         data = self.path.read_bytes()
