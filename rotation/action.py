@@ -1,6 +1,7 @@
-"""Rotate few points: formulas on rows, for every representation of rotations.
+"""Rotate small numbers of points, for every representation of rotations.
 
-Within 5·2⁻⁵²·‖v‖ of the exact image, as the kernels are; a row of points with NaN or inf becomes NaN.
+Results are within 5·2⁻⁵²·‖v‖ of the exact image, like those of the kernels. A point with NaN or inf becomes
+NaN.
 """
 
 from collections.abc import Callable, Iterable

@@ -1,7 +1,7 @@
-"""Degrees and radians; quarter turns are removed in degrees, where that is exact.
+"""Convert between degrees and radians; quarter turns are removed in degrees, where this is exact.
 
-What is left, an eighth of a turn at most, becomes radians with twice the digits, so that sines and cosines of
-degrees are as near as those of radians, and those of quarter turns 0 and ±1.
+The remainder, at most an eighth of a turn, is converted to radians with twice the digits. So sines and
+cosines of degrees are as accurate as those of radians, and those of quarter turns are exactly 0 and ±1.
 """
 
 import numpy as np

@@ -1,6 +1,7 @@
-"""Sums, products, quotients, roots, sines and angles as pairs of floats (high, low), worth twice the digits.
+"""Sums, products, quotients, roots, sines and angles as pairs of floats (high, low), with twice the digits.
 
-They run on every array library; on symbols the angle of a point is that of `rotation.native.elementary`.
+The functions run on every array library. For symbols the angle of a point is that of
+`rotation.native.elementary`.
 """
 
 import math

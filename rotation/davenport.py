@@ -1,7 +1,7 @@
-"""Davenport angles: Euler angles about any three axes, the second perpendicular to both others.
+"""Davenport angles: Euler angles about any three axes, the second of which is perpendicular to the others.
 
-P. B. Davenport, "Rotations about nonorthogonal axes", AIAA Journal 11 (1973); read off as Euler angles are:
-E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
+P. B. Davenport, "Rotations about nonorthogonal axes", AIAA Journal 11 (1973). They are computed from a
+quaternion as Euler angles are: E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
 """
 
 import math

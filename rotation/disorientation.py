@@ -1,9 +1,9 @@
-"""The smallest of equivalent rotations under two finite groups, one by a stated rule where several are.
+"""Find the smallest of the rotations equivalent under two finite groups, with a rule to break ties.
 
-With H the common part of the two groups, every ``l·p·r`` is ``h·(l₀·p·r₀)·h⁻¹``: one pair (l₀, r₀) for each
-of the different products r·l, which alone decide the angle, and an h that only turns the axis: first to the
-largest x, then by those that keep x. So 24, 6 and 4 candidates are looked at for two cubes, not 576. Rows
-in which two are as good, and they are few, are decided among all candidates.
+Let H be the intersection of the two groups. Every ``l·p·r`` is ``h·(l₀·p·r₀)·h⁻¹`` with h in H and one pair
+(l₀, r₀) for each product r·l. The angle depends on r·l only, and h turns only the axis: first h is chosen for
+the largest x, then among those that keep x. For two cubes these are 24, 6 and 4 candidates instead of 576. In
+the few rows with ties all candidates are compared.
 """
 
 from functools import cache

@@ -1,7 +1,8 @@
 """Rotations without rounding: quaternions over ℚ and number fields, their matrices, the finite groups.
 
-As rotations q and c·q are the same, so T and O need no square root and I only that of 5: their quaternions
-are of any norm (F. Klein, "Vorlesungen über das Ikosaeder", 1884).
+As rotations q and c·q are equal, so quaternions may have any norm. Then the tetrahedral and the octahedral
+group need no square root, and the icosahedral group only that of 5 (F. Klein, "Vorlesungen über das
+Ikosaeder", 1884).
 """
 
 from __future__ import annotations

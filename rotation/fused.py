@@ -1,9 +1,9 @@
 """Rotate many points in one pass over memory: by axis and angle, by quaternion, by Euler angles.
 
-Nothing is built in between: no matrices, no temporary quaternions. The points' dtype decides the
-result: float32 and float64 are kept, integers become float64, anything else raises. Batches broadcast
-by numpy's rules; any strides are taken. ``out`` may be the points themselves. A row with NaN or inf in
-it gives NaN in that row alone. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
+No intermediate matrices or quaternions are stored. The dtype of the points determines that of the result:
+float32 and float64 are kept, integers become float64, any other dtype raises. Batches broadcast by numpy's
+rules, and strides are arbitrary. ``out`` may be the points themselves. NaN or inf in a row gives NaN in that
+row only. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
 """
 
 import numpy as np

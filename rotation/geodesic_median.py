@@ -2,8 +2,9 @@
 
 The sum f has several local minima where the rotations are spread. The rotations half a turn away from a given
 one form the plane ``q·qᵢ = 0`` in the sphere of quaternions. These planes cut the sphere into cells, and f is
-convex in each, because the second derivatives of an angle below π are not negative. So a rotation without a
-slope is the minimum of its cell. Branch and bound over SO(3) finds the best cell by two lower bounds:
+convex in each, because the second derivatives of an angle below π are not negative. So a rotation at which
+the gradient vanishes is the minimum of its cell. Branch and bound over SO(3) finds the best cell by two
+lower bounds:
 
 - each angle changes by at most the distance moved, so in a ball of radius ρ, ``f ≥ Σ wᵢ·max(0, angleᵢ − ρ)``;
 - the angles to those rotations whose plane does not meet the ball lie above their tangent planes.

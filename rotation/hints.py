@@ -1,7 +1,7 @@
-"""Error messages for wrong arguments, with what to write, also for names of other libraries.
+"""Error messages for wrong arguments that say what to write, also for names of other libraries.
 
-scipy, `rotation.compat` and we all call a class Rotation, so an error has to say whose. Classes are known by
-their names: nothing is imported to tell.
+scipy, `rotation.compat` and this package each have a class Rotation, so an error message names the package.
+Classes are recognised by their names, without an import.
 """
 
 from collections.abc import Mapping

@@ -1,10 +1,9 @@
-"""The unit quaternion of the largest ``qᵀ·K·q``, with derivatives that a decomposition lacks.
+"""Find the unit quaternion with the largest ``qᵀ·K·q``, with derivatives that are finite.
 
 Nearest rotations, means and best fits are all of this kind (P. Davenport's q-method). Derivatives through
-singular values or eigenvectors are NaN where two values are equal, though the quaternion itself moves
-smoothly with K. So the decomposition is done on numbers without derivatives, and Newton's method takes two
-steps from what it found: they change nothing but have the derivatives of the solution, the first and the
-second.
+singular values or eigenvectors are NaN if two values are equal, although the quaternion depends smoothly
+on K. So the decomposition is computed on numbers without derivatives, and two steps of Newton's method
+follow. They do not change the value, and give the first and second derivatives of the solution.
 """
 
 from collections.abc import Sequence

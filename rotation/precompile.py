@@ -1,4 +1,4 @@
-"""Compile now all that is otherwise compiled on first use."""
+"""Compile all functions that are otherwise compiled on first use."""
 
 from collections.abc import Iterable
 from itertools import product

@@ -1,9 +1,9 @@
 """Convert points and rotations between the axes of programs: ROS, Unity, Unreal, OpenGL, OpenCV, Blender.
 
 A convention says which signed axes point forward, left and up; those of Euler angles are in
-:mod:`rotation.euler`. A change between two of opposite hands is not a rotation; what it makes
-of a rotation R still is, ``S·R·S⁻¹``, and of a rigid motion one again. The axes are those that the programs'
-own manuals state.
+:mod:`rotation.euler`. A change S between conventions of opposite handedness is not a rotation, but
+``S·R·S⁻¹`` is one for a rotation R, and a rigid motion for a rigid motion. The axes are from the manuals of
+the programs.
 """
 
 import numpy as np

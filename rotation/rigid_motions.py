@@ -1,7 +1,7 @@
 """Rigid motions as arrays of quaternions (…, 4) and translations (…, 3): ``v ↦ R·v + t``.
 
-Their forms: dual quaternions ``q + ½·t·q·ε``, exponential coordinates (twists), homogeneous matrices; screws,
-for every rigid motion is a turn about a line and a shift along it.
+Other forms are dual quaternions ``q + ½·t·q·ε``, exponential coordinates (twists), homogeneous matrices, and
+screws, because every rigid motion is a rotation about a line and a translation along it.
 
 M. Chasles, Bull. Sci. Math. Férussac 14 (1830); R. S. Ball, "A treatise on the theory of screws" (1900);
 R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic manipulation" (1994), chapter 2.

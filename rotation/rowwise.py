@@ -4,8 +4,8 @@ A formula of a hundred operations on numpy arrays is a hundred calls, and on lon
 memory. `RowFormula` compiles it on its first use, in some hundredths of a second, into one loop
 over rows: for one rotation and for a million. Arrays of other libraries take the formula as it stands.
 
-What is stored in single precision is read, computed in double and rounded once, by a loop of its own for
-each combination; the result is in single precision where all arrays are.
+Numbers in single precision are converted to double, and the result is rounded once. It is in single precision
+if all arrays are. Each combination of precisions has its own loop.
 """
 
 import itertools

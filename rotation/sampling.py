@@ -1,4 +1,4 @@
-"""Rotations spread over all of them: at random, uniform by Haar measure, or evenly, as a spiral."""
+"""Samples of rotations: random ones, uniform by Haar measure, or evenly spaced ones on a spiral."""
 
 import operator
 from collections.abc import Sequence

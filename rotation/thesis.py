@@ -1,9 +1,9 @@
 """The thesis's own functions (3.1.1, 3.1.2, 3.4.2, 3.4.4): rotations in pure Python lists.
 
-They are the historical baseline of the benchmark and of the animation, so names, arguments and the
-order of work are those of the text: a quaternion travels as its scalar part and a list of three,
-and there are no loops, no conditions and no checks. Where the text is wrong the function is right,
-and its docstring says what the text has.
+They are the historical baseline of the benchmark and of the animation. So names, arguments and the order of
+operations are those of the text: a quaternion is passed as its scalar part and a list of three, and there are
+no loops, conditions or checks. Errors of the text are corrected in the function, and its docstring quotes the
+text.
 
 Apart from ``cos``, ``sin`` and ``sqrt`` they only add, subtract, multiply and divide, so the same
 code runs on symbols; that is how the ledger proves them.

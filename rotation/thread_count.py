@@ -1,4 +1,4 @@
-"""Set and return the number of threads that a call may use."""
+"""Set or return the number of threads that a call may use."""
 
 from hfield.compiling import threads as pool
 from rotation.errors import RotationError

@@ -2,7 +2,7 @@
 
 The true motion is ``exp(ξ)·mean`` with ξ normal of mean 0. T. D. Barfoot and P. T. Furgale, "Associating
 uncertainty with three-dimensional poses for use in estimation problems", IEEE Trans. Robotics 30 (2014).
-All is written in `ad` and the adjoint, and so serves both groups.
+All formulas use `ad` and the adjoint, and so hold for both groups.
 """
 
 from collections.abc import Iterable, Sequence

@@ -1,7 +1,7 @@
 """Rotation vectors and axes: length is the angle, direction the axis (thesis, section 2.2.5).
 
-Written for the whole range of floats: a turn of 1e-300 keeps its direction and size, one of 1e300 does
-not overflow.
+The functions are accurate in the whole range of floats: a rotation by 1e-300 keeps its direction and size,
+and one by 1e300 does not overflow.
 """
 
 import math

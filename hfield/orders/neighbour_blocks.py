@@ -1,9 +1,9 @@
-"""Neighbours of many classes, in blocks for any executor.
+"""Compute the neighbours of many classes in blocks, on any executor.
 
-A block is computed in two steps: keys of all neighbours of its classes, then the representatives of the
-classes of those keys that are not known yet. Both are lists of independent pieces. New classes get their
-numbers here, in the order of the rows and of the neighbours in a row, so that numbers do not depend on the
-executor. The keys of the next block are computed meanwhile.
+A block is computed in two steps: first the keys of all neighbours of its classes, then the representatives
+of new classes among them. Both steps consist of independent tasks. New classes are numbered here, in the
+order of the rows and of the neighbours in a row, so the numbers do not depend on the executor. The keys of
+the next block are computed at the same time.
 """
 
 from __future__ import annotations

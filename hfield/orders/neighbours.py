@@ -3,9 +3,10 @@
 Over polynomials p is P itself.
 
 Let P be a prime of the base above p, K a right ideal of norm P in an order O, and I a right ideal with
-``I = y·O`` at all primes above p. Then ``J = y·K + P·I`` is a right ideal of relative norm P in I, and all of
-them come so. K contains p·O, and is the set of zeros of linear forms on O/p·O; J consists of the z in I for
-which these forms are 0 at y⁻¹·z. So the forms of all K are found once, and moved to each ideal.
+``I = y·O`` at all primes above p. Then ``J = y·K + P·I`` is a right ideal of relative norm P in I, and every
+such ideal is of this form. K contains p·O, so K is the kernel of linear forms on O/p·O, and J consists of
+the z in I for which these forms are 0 at y⁻¹·z. The forms of all K are computed once; for each ideal I they
+are composed with multiplication by y⁻¹.
 
 Where O is M₂ at P, with an idempotent e modulo P, the right ideals of norm P correspond to the lines of the
 plane (O/P·O)·e over the residue field. Let g be an element of (1 − e)·O·e that is not 0 modulo P. Then z lies

@@ -1,9 +1,9 @@
-"""Certificates of newforms of weight 2: the ideals that Hecke operators and traces add up, and eigenvectors.
+"""Certificates of newforms of weight 2: the ideals in the sums of Hecke operators and traces; eigenvectors.
 
-An orbit is shown by an eigenvector with values in its field. Let g be the polynomial of the eigenvalue α of
-an operator T on the orbit, and h that of its other eigenvalues. Then (g(x) − g(T))/(x − T)·h(T)·u is an
-eigenvector at x = α, for every function u whose image under h(T) is not 0, as it is for one at least of the
-functions that are 1 at one class and 0 at the others.
+The evidence of an orbit is an eigenvector with values in its field. Let g be the polynomial of the eigenvalue
+α of an operator T on the orbit, and h that of the other eigenvalues of T. Then (g(x) − g(T))/(x − T)·h(T)·u
+is an eigenvector at x = α, for every function u with h(T)·u ≠ 0. At least one of the functions that are 1 at
+one class and 0 at the others has this property.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Galois orbits of newforms: eigenvalues, the field that they generate, signs of Atkin and Lehner.
+"""Galois orbits of newforms: eigenvalues, the field that they generate, Atkin–Lehner signs.
 
 Let the newforms of an orbit be the eigenvectors v of T for the roots α of an irreducible polynomial g of
 degree d, with coordinate 1 at one class i. Then an eigenvalue a is Σ tⱼ·vⱼ for row i of the Hecke operator.
 It is an integer of ℚ(α), so a = N(α)/g′(α) for an integral polynomial N of degree below d. Deligne's bound of
-the conjugates of a bounds the coefficients of N, so that they are known from residues modulo primes.
+the conjugates of a bounds the coefficients of N, so that residues modulo primes determine them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Two elements of an ideal whose norms have a given sum: Qlapoti.
+"""Find two elements of an ideal whose norms have a given sum S·N (Qlapoti).
 
 Let J be a left ideal of norm N of a p-extremal order with the frame R + R·β, and 𝔞 = J ∩ R. For x = u + z·β
 in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 + N(c)
@@ -6,12 +6,15 @@ in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 
     D·(N(x) + N(y)) = N(D·x − c̄·a) + N(a).
 
 For given z and c let U = D·u + s with s in 𝔞. Then x = (U + c̄·a)/D + z·β has to lie in J, so that D·N(𝔞)
-divides N(s) + N(a). N(U) + N(a) + p·D²·N(z) = D·S·N modulo D·N(𝔞) is one linear condition on s, each short
-solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 that is the algorithm of Borin, Corte-Real
-Santos, Eriksen, Invernizzi, Mula, Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where N divides
-N(y)/N. Other c serve ideals for which all short elements have norms with a factor of S, such as those of norm
-2ᵏ. For small p the norms of many short elements are listed and sorted, which shows the pairs with the sum,
-and in planes of small discriminant x is random and y is an element of the norm that is left.
+divides N(s) + N(a). Modulo D·N(𝔞), the equation N(U) + N(a) + p·D²·N(z) = D·S·N is one linear condition on s.
+Each short solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 this is the algorithm of Borin,
+Corte-Real Santos, Eriksen, Invernizzi, Mula, Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where
+N divides N(y)/N. Other c are for ideals in which the norms of all short elements have a factor of S, such as
+those of norm 2ᵏ.
+
+Two other methods are used in special cases. For small p the norms of many short elements are sorted to find
+pairs with the given sum. In planes of small discriminant x is random, and y is an element of the remaining
+norm.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""Elements of a given norm in any lattice over ℤ of a definite algebra, or the proof that there is none.
+"""Find an element of given norm in any lattice over ℤ of a definite algebra, or prove that there is none.
 
-The norm as a multiple of that of the lattice is a form of four coordinates. Small norms are decided by an
-enumeration of three of them, in blocks of an array. Where these are too many, random ones are tried. Large
-norms are represented on a plane of the lattice and its orthogonal complement: ``n = f(x, y) + g(z, w)``. For
-a choice of (z, w) the pairs (x, y) with f(x, y) = m are shortest vectors of planes, one for each root of f
-modulo m (Cornacchia's algorithm for any form).
+The norm, divided by that of the lattice, is a quadratic form in four coordinates. For small norms three of
+them are enumerated, in blocks of an array. If there are too many values, random ones are tried. Large norms
+are represented by a plane of the lattice and its orthogonal complement: ``n = f(x, y) + g(z, w)``. When
+(z, w) is chosen, the pairs (x, y) with f(x, y) = m are shortest vectors of planar lattices, one for each root
+of f modulo m (Cornacchia's algorithm for any form).
 """
 
 from __future__ import annotations

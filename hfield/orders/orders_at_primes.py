@@ -1,9 +1,9 @@
 """An order at one prime P of its base: its radical, larger orders, idempotents and zero divisors.
 
-The left order of the radical at P, the x with tr(x·O) ⊂ P and N(x) ∈ P, is larger until the order is
-hereditary at P. Then it is maximal, or an Eichler order of level P, the intersection of two maximal ones
-(Voight, *Quaternion Algebras*, 15.5, 21.2, 24.4). All is linear algebra modulo the prime number p below P,
-whatever its size.
+The radical at P consists of the x with tr(x·O) ⊂ P and N(x) ∈ P. Its left order is larger than O unless O is
+hereditary at P. A hereditary order is maximal at P, or an Eichler order of level P there, the intersection of
+two maximal ones (Voight, *Quaternion Algebras*, 15.5, 21.2, 24.4). All computations are linear algebra modulo
+the prime number p below P, which may be large.
 """
 
 from __future__ import annotations

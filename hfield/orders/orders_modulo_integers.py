@@ -1,8 +1,9 @@
 """Orders over ℤ modulo N as matrices: O/NO ≅ M₂(ℤ/N) for N prime to the discriminant.
 
 Modulo a prime power in N there are an idempotent e and a v in (1 − e)·O·e with O·e = ℤ·e + ℤ·v. Elements act
-on this module from the left: x·e = a·e + c·v and x·v = b·e + d·v give the matrix of x. The coefficients are
-those of e·x·e, (1 − e)·x·e, e·x·v and (1 − e)·x·v, and the Chinese remainder theorem joins prime powers.
+on this module from the left, and x·e = a·e + c·v and x·v = b·e + d·v give the matrix of x. The coefficients
+a, c, b and d are those of e·x·e, (1 − e)·x·e, e·x·v and (1 − e)·x·v. The Chinese remainder theorem combines
+prime powers.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The polynomials 𝔽_q[t] as a base of orders, third after ℤ and ℤ_K.
+"""The polynomials 𝔽_q[t] as a base of orders, the third kind of base besides ℤ and ℤ_K.
 
-Lattices are matrices over 𝔽_q[t], of rank 4. Its ideals are principal, its units are the constants, and the
-one infinite place is that of 1/t. An algebra is definite where it ramifies at infinity. Instead of totally
-positive units modulo squares there are the constants modulo squares.
+Lattices are matrices of rank 4 over 𝔽_q[t]. The ideals of 𝔽_q[t] are principal, its units are the constants,
+and the one infinite place is that of 1/t. An algebra is called definite if it ramifies at infinity. The
+constants modulo squares take the part of the totally positive units modulo squares.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Matrices of polynomials over a finite field, and of fractions of them, with the methods of flint's.
+"""Matrices of polynomials and of rational functions over finite fields, with the methods of flint's matrices.
 
-They have the names of ``fmpz_mat`` and ``fmpq_mat``, so that functions on lattices serve both. flint has
-polynomials over GF(q), ``fq_default_poly``, but no matrices of them.
+The methods are named as those of ``fmpz_mat`` and ``fmpq_mat``, so that functions on lattices work with both.
+flint has polynomials over GF(q), ``fq_default_poly``, but no matrices of them.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Quadratic forms over 𝔽_q[t] that are anisotropic at infinity: reduced bases and vectors of bounded degree.
 
-A form is a matrix F, not symmetric, with the value ``x·F·x``. At infinity the degree of the value is a norm:
-deg f(x + y) ≤ max(deg f(x), deg f(y)). In a reduced basis the degree of ``f(Σ cₙ·bₙ)`` is the
-largest of the degrees of the ``f(cₙ·bₙ)``, so that the vectors with values of bounded degree are a space over
-𝔽_q of which a basis is known. The leading terms of values of one parity are norms from the field with q²
-elements. A basis is reduced when those of each parity are independent over 𝔽_q.
+A form f is a matrix F, not necessarily symmetric, with the values ``f(x) = x·F·x``. The degree of f(x) is a
+norm: deg f(x + y) ≤ max(deg f(x), deg f(y)). In a reduced basis the degree of ``f(Σ cₙ·bₙ)`` is the largest
+of the degrees of ``f(cₙ·bₙ)``. So the vectors with values of bounded degree are a vector space over 𝔽_q, and
+multiples of the bₙ are a basis of it. The leading terms of values whose degrees have one parity are norms
+from the field with q² elements. A basis is reduced when those of each parity are independent over 𝔽_q.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Generators of ideals of a totally real field that are totally positive, and the units among them.
+"""Totally positive generators of ideals of a totally real field, and the totally positive units.
 
-Reduced norms of a totally definite algebra are the totally positive elements (Hasse and Schilling), and those
-of the multiples of x by units of the field are N(x) times squares: what counts is the narrow class of an
-ideal, and the totally positive units modulo the squares.
+The reduced norms of a totally definite algebra are the totally positive elements (Hasse and Schilling). If x
+is multiplied by a unit of the field, N(x) is multiplied by its square. So algorithms need the narrow class of
+an ideal, and the totally positive units modulo squares.
 """
 
 from __future__ import annotations

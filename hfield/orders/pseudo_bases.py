@@ -1,6 +1,6 @@
 """Pseudo-bases: a module over the integers of a field as a direct sum of ideals times vectors; free bases.
 
-Rows are coordinates in an integral basis of the field, n for each of the m coordinates.
+A vector of m numbers is a row of m·n rational numbers: the coordinates of each in an integral basis.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Quadratic orders inside an order of a totally definite algebra, and elements of given norm.
 
-The elements s = 2x − tr(x) are those of trace 0 in R + 2O, R being the integers of the base, and s² is the
-discriminant of R[x]. So the quadratic orders of discriminant d in O are vectors of norm −d of a ternary
-lattice. They are embedded optimally where no number outside of R takes the vector into the lattice
-(J. Voight, *Quaternion Algebras*, chapter 30; B. Gross, "Heights and the special values of L-series", 1987).
+Let R be the integers of the base. The elements of trace 0 in R + 2O are s = 2x − tr(x) for x in O, and s² is
+the discriminant of R[x]. So the quadratic orders of discriminant d in O correspond to the vectors of norm −d
+in a ternary lattice. The embedding is optimal if c·s lies in this lattice only for c in R (J. Voight,
+*Quaternion Algebras*, chapter 30; B. Gross, "Heights and the special values of L-series", 1987).
 """
 
 from __future__ import annotations

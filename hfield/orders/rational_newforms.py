@@ -1,11 +1,12 @@
 """Newforms with rational eigenvalues at large level, from the rows of one sparse Hecke operator.
 
-The functions on the classes are split by the signs of Atkin and Lehner at the primes of the discriminant and
-of the level. For a squarefree level a system of eigenvalues comes once in such a space, oldforms too: each
-comes from level M with both signs at the primes that M lacks. In each space Lanczos' recurrence
-(:mod:`hfield.core.lanczos`) finds the eigenspaces of T_P for all rational integers, as integer vectors that
-are verified, and proves that there are no more. Spaces of several dimensions are split by other Hecke
-operators, of which a few rows are computed.
+The functions on the classes are split by their Atkin–Lehner signs at the primes of the discriminant and of
+the level. For a squarefree level each system of eigenvalues occurs at most once in a space of given signs.
+This includes oldforms: one from level M occurs with both signs at the primes of the level not dividing M.
+
+In each space Lanczos' recurrence (:mod:`hfield.core.lanczos`) finds the eigenspaces of T_P for all rational
+integers, as integer vectors that are verified, and proves that there are no others. Eigenspaces of several
+dimensions are split by other Hecke operators, of which a few rows are computed.
 """
 
 from __future__ import annotations

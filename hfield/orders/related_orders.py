@@ -1,7 +1,7 @@
 """Orders above and below an order at a prime, its Gorenstein closure, and ideals that connect two orders.
 
-A maximal suborder of O contains P·O, and is of index P or P², so that subalgebras of O/P·O give all of them.
-A minimal overorder is O[x] for an x in P⁻¹·O whose products with O have integral traces.
+A maximal suborder of O contains P·O and has the index P or P², so maximal suborders are found as subalgebras
+of O/P·O. A minimal overorder is O[x] for an x in P⁻¹·O whose products with O have integral traces.
 J. Voight, *Quaternion Algebras*, chapters 23 and 24; S. Chari, D. Smertnig and J. Voight, "On basic and Bass
 quaternion orders", 2021.
 """

@@ -1,4 +1,4 @@
-"""Integers from their residues modulo several primes, and linear algebra modulo one."""
+"""Reconstruct integers from residues modulo several primes; linear algebra modulo a prime."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
 """The norm on a lattice of a totally definite algebra: short elements, elements of given norm, theta series.
 
-The forms Tr(c·N(x)) are positive definite over ℤ for totally positive c. An element of norm ν has the value
-n = [K : ℚ] in the form with c = 1/ν; by the inequality of the means every x ≠ 0 with N(x)/ν integral has at
-least that. So equivalences, generators and units are vectors of the least possible length. An enumeration
-finds them or proves that there are none (J. Voight, *Quaternion Algebras*, section 17.6; M. Kirschmer and
-J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
+For totally positive c the form Tr(c·N(x)) is positive definite over ℤ. An element of norm ν has the value
+n = [K : ℚ] in the form with c = 1/ν. By the inequality of arithmetic and geometric means, this is the least
+value of all x ≠ 0 with N(x)/ν integral. So equivalences, generators and units are vectors of the least
+possible length. An enumeration finds them or proves that there are none (J. Voight, *Quaternion Algebras*,
+section 17.6; M. Kirschmer and J. Voight, *SIAM J. Comput.* 39, 2010). All computations use integers.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Functions on ideal classes that two-sided ideals multiply by given signs, as vectors on orbits."""
+"""Functions on ideal classes on which two-sided ideals act by given signs, as vectors indexed by orbits."""
 
 from __future__ import annotations
 

@@ -6,9 +6,10 @@ classes of ideals, and at primes a class of local units modulo norms (A. Fröhli
 are norms, so the classes of local units are computed by linear algebra over GF(2). Where the Eichler symbol
 is not 0, every local unit is a norm.
 
-Where the Eichler symbol is 0 the units of O_P are those of R_P times 1 + J, R the integers of the base and J
-the radical: above an odd prime their norms are squares. Above 2 those of 1 + y, with y in bases of J, J², …,
-generate the norms of 1 + J; where a power of J lies in 4P·O the norms are in 1 + 4P, and squares.
+Let R be the integers of the base and J the radical of O_P. If the Eichler symbol is 0, the units of O_P are
+the products of units of R_P and elements of 1 + J. Above an odd prime their norms are squares. Above 2 the
+norms of 1 + y, with y in bases of J, J², …, generate the norms of 1 + J. The powers of J in 4P·O can be left
+out, because they give norms in 1 + 4P, which are squares.
 """
 
 from __future__ import annotations

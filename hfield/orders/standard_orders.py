@@ -1,8 +1,8 @@
-"""The orders of an algebra that have names: maximal, Eichler, p-extremal, Lipschitz and Hurwitz.
+"""Standard orders of an algebra: maximal, Eichler, p-extremal, Lipschitz and Hurwitz orders.
 
-A p-extremal order is a maximal order of ``(−q, −p | ℚ)`` with i and j, for a small q. For a prime q > 2 there
-are two up to isomorphism (Ibukiyama, *Nagoya Math. J.* 88, 1982; Pizer, 1980, proposition 5.2; Kohel, Lauter,
-Petit and Tignol, 2014, section 2.3).
+A p-extremal order is a maximal order of ``(−q, −p | ℚ)`` that contains i and j, for a small q. For a prime
+q > 2 there are two such orders up to isomorphism (Ibukiyama, *Nagoya Math. J.* 88, 1982; Pizer, 1980,
+proposition 5.2; Kohel, Lauter, Petit and Tignol, 2014, section 2.3).
 """
 
 from __future__ import annotations

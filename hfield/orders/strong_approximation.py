@@ -1,9 +1,10 @@
 """The steps of KLPT inside a p-extremal order O, with a frame R + R·β, N(β) = p, R = ℤ[α] and s = 2α − t.
 
-For an ideal I of prime norm N the elements μ₀ = (C + D·s)·β with γ·μ₀ in I, or γ·μ₀·δ in the Eichler order
-ℤ + I, are the kernel of linear equations modulo N (IdealModConstraint, EichlerModConstraint). A μ of given
-norm with μ ≡ λ·μ₀ modulo N·O is ``N·(x + y·s) + (C′ + N·c + (D′ + N·e)·s)·β``. Modulo N² its norm is one
-linear condition on (c, e), and each solution, the shortest first, gives x² + |d|·y² (StrongApproximation).
+Let I be an ideal of prime norm N. The elements μ₀ = (C + D·s)·β with γ·μ₀ in I, or with γ·μ₀·δ in the Eichler
+order ℤ + I, are the solutions of linear equations modulo N (IdealModConstraint, EichlerModConstraint). An
+element μ ≡ λ·μ₀ modulo N·O is ``N·(x + y·s) + (C′ + N·c + (D′ + N·e)·s)·β``. That it has the given norm
+modulo N² is one linear condition on (c, e). Each solution, shortest first, determines the value of
+x² + |d|·y² that is still to be represented (StrongApproximation).
 
 Kohel, Lauter, Petit and Tignol, 2014; De Feo, Kohel, Leroux, Petit and Wesolowski, "SQISign", 2020.
 """

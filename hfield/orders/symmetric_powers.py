@@ -1,10 +1,11 @@
 """The algebra modulo a prime p of 62 bits, as matrices at the real places, and their symmetric powers.
 
-Forms of weight k have values in the tensor product, over the real places, of the harmonic polynomials of
-degree k/2 − 1 on elements of trace 0, on which a quaternion acts by conjugation. Over a splitting field it is
-Symᵏ⁻²⊗N^(1−k/2). Let p be a prime that splits completely in the field, and does not divide the constants of
-the algebra. Then the prime ideals above p are embeddings of the field into 𝔽_p, one for each real place, and
-the algebra is M₂(𝔽_p) at each. So no number field is needed, and a scalar acts trivially.
+Forms of weight k have values in a tensor product over the real places. Each factor is the space of harmonic
+polynomials of degree k/2 − 1 on the elements of trace 0, on which a quaternion acts by conjugation; scalars
+act trivially. Over a splitting field this is Symᵏ⁻²⊗N^(1−k/2). Let p be a prime that splits completely in the
+field and does not divide the constants of the algebra. Then the prime ideals above p give embeddings of the
+field into 𝔽_p, one for each real place, and the algebra modulo each of them is M₂(𝔽_p). So all computations
+are done in 𝔽_p, without a number field.
 """
 
 from __future__ import annotations

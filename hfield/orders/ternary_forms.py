@@ -1,9 +1,10 @@
-"""Ternary quadratic forms and orders: the even Clifford algebra, and the form that an order has.
+"""Ternary quadratic forms and orders: the even Clifford algebra of a form, and the form of an order.
 
-An order with the basis 1, i, j, k has the form ``N(x·[j,k] + y·[k,i] + z·[i,j]) / tr(i·[j,k])``, which is
-the discriminant times the norm on the elements of trace 0 in its codifferent; ``e₂e₃, e₃e₁, e₁e₂`` in the
-even Clifford algebra of a form give that form back. So classes of forms with one discriminant are classes of
-orders (J. Voight, *Quaternion Algebras*, chapter 22), and forms are compared by comparing orders.
+The form of an order with the basis 1, i, j, k is ``N(x·[j,k] + y·[k,i] + z·[i,j]) / tr(i·[j,k])``. It is the
+discriminant times the norm on the elements of trace 0 in the codifferent. From the even Clifford algebra of a
+form, with the basis ``e₂e₃, e₃e₁, e₁e₂``, this gives the same form back. So classes of forms of one
+discriminant correspond to isomorphism classes of orders (J. Voight, *Quaternion Algebras*, chapter 22), and
+forms are compared by comparing orders.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Reduce ternary definite forms over ℤ: all bases of a lattice that are reduced after Korkine and Zolotarev.
+"""Reduce definite ternary forms over ℤ: find all bases of a lattice that are Korkine–Zolotarev reduced.
 
-A basis (u, v, w) is reduced when u is a shortest vector, v is one modulo u, and the coefficients of what is
-taken off lie in (−1/2, 1/2]. There are few, and however skew the lattice is they are found at once, while
-the vectors as long as those of a basis may be too many to list.
+A basis (u, v, w) is reduced if u is a shortest vector, v is a shortest vector modulo u, and the Gram–Schmidt
+coefficients lie in (−1/2, 1/2]. A lattice has few such bases, and they are found quickly even if the lattice
+is very skew, when there may be too many vectors of the lengths of a basis to list.
 """
 
 from __future__ import annotations

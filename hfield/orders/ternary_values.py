@@ -1,4 +1,4 @@
-"""Vectors with a given value of an indefinite ternary form that are short in a definite one.
+"""Find vectors at which an indefinite ternary form has a given value and a definite form is small.
 
 Two coordinates are enumerated, in arrays, and the third is a root of a quadratic equation.
 """

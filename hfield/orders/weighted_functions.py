@@ -1,9 +1,9 @@
-"""Forms of weight k > 2: functions on ideals with values on which quaternions act, as a module.
+"""Forms of weight k > 2 as a module: functions on ideals with values in a representation of the quaternions.
 
-Such a function f takes right ideals to values with f(γ·I) = γ·f(I). So its value at the representative I of a
-class is invariant under the units of the left order, and can be any such value. T_P·f(I) is the sum of the
-f(J), J of relative norm P in I, times N(P)^(k/2−1). See B. Gross, "Algebraic modular forms", 1999, and
-Dembélé and Voight for Hilbert modular forms. Values and operators are computed modulo primes.
+Such a function f on right ideals satisfies f(γ·I) = γ·f(I). So its value at the representative I of a class
+is any value that the units of the left order fix. (T_P·f)(I) is N(P)^(k/2−1) times the sum of f(J) over the
+ideals J of relative norm P in I. See B. Gross, "Algebraic modular forms", 1999, and Dembélé and Voight for
+Hilbert modular forms. Values and operators are computed modulo primes.
 """
 
 from __future__ import annotations

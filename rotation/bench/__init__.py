@@ -1,5 +1,5 @@
 """The benchmark of the thesis (3.2) for many implementations; ``hfield bench`` runs it.
 
-``tasks`` says what is to be computed, ``ways`` how, ``measure`` checks every way and times it,
-``results``, ``chart`` show the result.
+``tasks`` has the computations and ``ways`` the implementations. ``measure`` checks and times each
+implementation; ``results`` and ``chart`` show the times.
 """

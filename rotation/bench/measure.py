@@ -1,7 +1,7 @@
 """Check that an implementation is correct, then time it.
 
-A way that gives another result than :meth:`Task.expected` is not timed. The repeats go round all
-ways, so that a disturbance of the machine does not fall on one of them alone.
+An implementation whose result differs from :meth:`Task.expected` is not timed. Each repeat runs all
+implementations in turn, so that a disturbance of the machine does not affect only one of them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A drop-in for scipy's rotations: its names, its order of coordinates, item assignment, its warnings.
+"""A drop-in replacement of scipy's rotations: its names, order of coordinates, item assignment, warnings.
 
 ``from rotation.compat import Rotation`` in place of ``from scipy.spatial.transform import Rotation``; the
 arithmetic is ours. docs/how-to/coming-from-scipy.md lists what differs.

@@ -1,6 +1,7 @@
-"""Return results as scipy does where those of this package are errors, or differ.
+"""Return scipy's results where this package raises errors or has other results.
 
-Matrices that are no rotations, means and best fits that many rotations share, groups in its order.
+This concerns matrices that are no rotations, means and best fits that are not unique, and the order of the
+elements of groups.
 """
 
 import contextlib

@@ -1,4 +1,4 @@
-"""`Slerp` and `RotationSpline` as scipy's."""
+"""`Slerp` and `RotationSpline` with scipy's interface."""
 
 from typing import Any
 

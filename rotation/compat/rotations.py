@@ -1,4 +1,4 @@
-"""`Rotation` with the names, the conventions and the habits of scipy's."""
+"""`Rotation` with the names, conventions and behaviour of scipy's."""
 
 import warnings
 from collections.abc import Iterable, Sequence

@@ -1,4 +1,4 @@
-"""`RigidTransform` with the names, the conventions and the habits of scipy's: it holds matrices."""
+"""`RigidTransform` with the names, conventions and behaviour of scipy's: it stores matrices."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, Self

@@ -1,7 +1,7 @@
 """Integrate an angular velocity over an interval by Magnus's series, of order 4.
 
-By two rules, so that one can be judged by the other: that of Gauss and Legendre, and Simpson's. A. Iserles,
-H. Z. Munthe-Kaas, S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).
+There are two quadrature rules, Gauss–Legendre and Simpson, so that their difference estimates the error.
+A. Iserles, H. Z. Munthe-Kaas, S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).
 """
 
 import math

@@ -4,9 +4,9 @@ Between two keyframes the rotation vector from the first of them is a cubic of t
 are those for which the acceleration has no jump; at the ends they are the mean rates of the intervals there.
 The curve is the one of scipy's `RotationSpline`.
 
-All is computed in turns, which are rates times a time, so that the unit of time does not matter. The jumps
-are linear in the rates but for one quadratic term at each keyframe. Newton's method finds where they are 0,
-from the solution without that term; where it does not, more and more of the term is let in.
+All computations are in rates times the length of an interval, so the unit of time does not matter. The jumps
+are linear in the rates, except for one quadratic term at each keyframe. Newton's method makes them 0,
+starting from the solution without this term. If it does not converge, the term is introduced in small steps.
 """
 
 import math

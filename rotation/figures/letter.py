@@ -1,6 +1,6 @@
 """Figures 2.3 to 2.5: the letter T of example 2, turned about the origin, and under the matrices of 2.1.2.
 
-Those are drawn as printed and as they should be.
+The images under the matrices are drawn twice: with the printed matrices and with the corrected ones.
 """
 
 from __future__ import annotations

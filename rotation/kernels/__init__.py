@@ -1,9 +1,9 @@
 """The loops that rotate many points, and the threads that share them.
 
 Every function takes arrays with the components last, in any strides, whose batches broadcast to that
-of ``out``; ``out`` may be the points themselves. Nothing is checked here but zero axes and zero
-quaternions, which only the loop itself can see cheaply. A loop is compiled, in some hundredths of a
-second, for the way its arrays lie in memory, when first asked for.
+of ``out``; ``out`` may be the points themselves. Only zero axes and zero quaternions are checked here,
+because the loop detects them at no cost. A loop is compiled for the memory layout of its arrays on first
+use, in some hundredths of a second.
 """
 
 import ctypes

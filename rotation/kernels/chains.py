@@ -1,8 +1,8 @@
 """Running products of unit quaternions in twice the precision.
 
-A plain product of a million quaternions drifts, at random or, for one factor repeated, steadily. Here
-the running product is a sum of two floats a component, high and low, and so is each normalised
-factor; rounding happens at the 106th bit, and once more when a result is stored.
+A plain product of a million quaternions drifts: at random, or steadily if one factor is repeated. Here each
+component of the running product, and of each normalised factor, is a sum of two floats, high and low. So
+rounding happens at the 106th bit, and once more when a result is stored.
 """
 
 import ctypes

@@ -1,7 +1,7 @@
 """The formulas of the kernels: a fast form for eight points at once, and a careful one for extreme values.
 
-The fast form also says where it is right: not for a far angle, nor where the square of a length times a
-coordinate might leave the range of floats. The careful form is that of few points.
+The fast form also returns where it is valid: not for large angles, nor where the square of a length times a
+coordinate may leave the range of floats. The careful form is the one for few points.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Rotate points in plain numpy, where there is no LLVM, and as an oracle in tests of the compiled kernels.
+"""Rotate points in plain numpy: the fallback without LLVM, and the oracle in tests of the compiled kernels.
 
 Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
 """

@@ -1,7 +1,7 @@
 """Section 2.1.3: the rotation of the plane as a product of complex numbers.
 
-The complex numbers are the elements a + b·i of H(F), as in section 1.4.3; so ``i`` is the i of the
-thesis, and everything has its core over every commutative ring.
+The complex numbers are the elements a + b·i of H(F), as in section 1.4.3. So ``i`` is the i of the thesis,
+and the algebraic core of every claim holds over every commutative ring.
 """
 
 from hfield.checker.glossary import CIRCLE

@@ -1,7 +1,7 @@
 """Matrices and vectors whose entries are terms of the statement language.
 
-Sums and products leave out zeros and ones, so that what is built stays short. Vectors are rows of
-terms; equalities are statements, entry by entry.
+Sums and products leave out zeros and ones, so that terms stay short. Vectors are rows of terms; equalities
+are statements, entry by entry.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""The numbers that Python's ``random()`` can return: the least and the greatest, by running it.
+"""The least and the greatest number that Python's ``random()`` can return, found by running it.
 
 CPython's generator, the Mersenne Twister, makes a number of two words of 32 bits: the upper 27 bits
 a of the first and the upper 26 bits b of the second give (a·2²⁶ + b)/2⁵³, so the extreme numbers
-come from the extreme words. These words are the state of the generator after a linear scrambling
-("tempering"; Matsumoto and Nishimura, 1998), which has an inverse: a state can be made for any two.
+come from the extreme words. These words are the state of the generator after an invertible linear map
+("tempering"; Matsumoto and Nishimura, 1998), so there is a state for any two words.
 """
 
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Which of two rational numbers is smaller, in the language of quaternions.
+"""State that a rational number is smaller than another in the language of quaternions.
 
 A rational number d is positive exactly when −d is no norm over ℚ: norms are sums of four squares,
 and by Lagrange's theorem every d ≥ 0 is one. So ``a < b`` is the statement that no quaternion has

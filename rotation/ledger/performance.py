@@ -1,7 +1,7 @@
-"""Section 3.2: the two tests, their tables, and what is concluded from them.
+"""Section 3.2: the two tests, their tables, and the thesis's conclusions from them.
 
-Numbers are recomputed from the printed times over ℚ. Of the second test, what its functions do to
-a point is found by running them on symbols.
+Numbers are recomputed from the printed times over ℚ. The functions of the second test are run on symbolic
+points to find their formulas.
 """
 
 from hfield.ledger.claim import Computed, ComputedResult

@@ -1,7 +1,7 @@
 """Run the thesis's functions on terms, which turns their results into formulas to prove.
 
-A function of :mod:`rotation.thesis` that is handed terms of the statement language in the place of floats
-returns terms. So the ledger proves the code that runs, not a formula typed in beside it.
+With terms of the statement language as arguments in place of floats, a function of :mod:`rotation.thesis`
+returns terms. So the ledger proves the code that runs, not a formula copied from it.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ fixed; RW = W; W∘W = (1 + t)(3 − t); and (1 + t)(R + Rᵗ) = (t² − 1)I + 
 put c = (t − 1)/2 and w = W/2: the last line is Rodrigues' formula for the angle with the cosine c, the
 axis w and the sine |w|, and the line before says that c² + |w|² = 1.
 
-Over RR that leaves t = −1. There W∘W = 0 makes W = 0, so R is symmetric, and the minors of R + I are
+Over RR the case t = −1 remains. Then W∘W = 0 implies W = 0, so R is symmetric, and the minors of R + I are
 those of R − Rᵗ + (1 + t)I = 0; so R + I has rank one, and a column of it, divided by its length (every
 norm is a square), is the axis of a half turn.
 """

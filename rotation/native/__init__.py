@@ -1,5 +1,6 @@
 """Formulas as machine code: a formula written for arrays is traced once and compiled in milliseconds.
 
-`tracing` runs a formula on `symbols`, which write down what is done to them. Around that come two walks:
-`builtins` makes a function of Python, quick for one row too; `sweeping` goes over many points lying anyhow.
+`tracing` runs a formula on `symbols`, which record the operations on them. The recorded program is compiled
+in one of two loops. `builtins` makes a builtin function of Python, which is fast for one row too.
+`strided_loop` processes many points at any strides.
 """

@@ -1,9 +1,9 @@
 """Compile the trace of a formula, in a loop over rows, to a builtin function of Python by LLVM.
 
-The function is one as those of extensions in C are: it reads the addresses and the lengths of numpy's arrays
-from their headers, whose layout numpy's ABI fixes, has numpy make the result, and puts that into an object.
-For a call for one rotation takes less time than Python needs to look at its arrays. Long work frees the
-interpreter lock.
+The function is like those of C extensions. It reads the addresses and lengths of numpy's arrays from their
+headers, whose layout numpy's ABI fixes. It lets numpy allocate the result, and wraps this in an object. So a
+call with one rotation takes less time than Python code needs to inspect the arrays. Long computations release
+the interpreter lock.
 """
 
 import ctypes

@@ -1,9 +1,9 @@
 """Sine, cosine and arctangent for eight rows at once, within one ulp, and as pairs.
 
-Written against a namespace of symbols, as formulas are. Nothing branches but where the usual way is not
-right: for angles beyond `REACH` or nearer to a multiple of π/2 than its digits here tell, points near the
-ends of the range, infinities and NaN. Such rows take the functions of the system. W. J. Cody and W. Waite,
-"Software manual for the elementary functions" (1980).
+The functions are written against a namespace of symbols, as formulas are. They branch only where the fast
+computation is not accurate: for angles beyond `REACH`, or too near to a multiple of π/2, for points near the
+ends of the range of floats, and for infinities and NaN. Such rows use the functions of the system. W. J. Cody
+and W. Waite, "Software manual for the elementary functions" (1980).
 """
 
 import math

@@ -1,6 +1,6 @@
 """The entry of a compiled formula, a builtin function in LLVM: check arguments, make the result.
 
-What it takes and answers `rotation.native.builtins.compile_builtin` says.
+`rotation.native.builtins.compile_builtin` documents its arguments and results.
 """
 
 from collections.abc import Callable

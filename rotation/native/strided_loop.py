@@ -1,11 +1,11 @@
-"""Loop of a formula over points at any strides, in blocks shared by threads.
+"""Run a formula in a loop over points at any strides, in blocks that threads share.
 
-It is not the loop of `builtins`, since points come in any strides and either precision, and are turned
-where they lie. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are
-right, or None for everywhere. ``careful(*rows)`` returns them for the rows where they are not. The fast
-loop is a function by itself that calls nothing, so that what it needs stays in registers; eight rows in
-which one is not right leave it and come back. Eight rows are read before they are written, so the result
-may be an operand.
+The loop of `builtins` does not suffice: points have any strides and either precision, and may be rotated in
+place. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are valid, or None
+for everywhere. ``careful(*rows)`` returns them for the other rows. The fast loop is a separate function that
+calls no other, so that its values stay in registers. It returns when one of eight rows is not valid, and is
+called again after the careful form has computed these rows. Eight rows are read before they are written, so
+the result may be an operand.
 """
 
 from collections.abc import Callable, Sequence

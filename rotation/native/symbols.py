@@ -1,7 +1,7 @@
-"""Symbols for the numbers of a formula, and the code of LLVM that operations on them write down.
+"""Symbols for the numbers of a formula: operations on them emit LLVM code.
 
 A `Lanes` is one coordinate of eight rows, a vector of eight numbers. Every operator adds a line to the
-code, in LLVM's notation. Nothing is reordered, and nothing fused but where a program is `fused`, so
+code, in LLVM's notation. Operations are not reordered, and fused only in a program that is `fused`. So
 programs round as numpy does, operation by operation.
 """
 

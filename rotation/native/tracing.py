@@ -1,8 +1,8 @@
 """A namespace of symbolic arrays that records a formula as a program for LLVM.
 
-The functions here, as the operators of `symbols`, add their lines to the program of their arguments. Where a
-formula asks for `fma`, a product and a sum are rounded at once. Conditions select; only what is `rarely`
-needed is branched around.
+The functions here add lines to the program of their arguments, like the operators of `symbols`. In `fma` a
+product and a sum are rounded once. Conditions select between two values; only code in `rarely` is skipped by
+a branch.
 """
 
 import math

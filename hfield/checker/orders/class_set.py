@@ -1,9 +1,9 @@
-"""The right ideal classes of an order in a totally definite algebra: a set with their mass is all of them.
+"""Check that a list has all right ideal classes of an order in a totally definite algebra, by their mass.
 
 The class of a right ideal I is recognised by the lattices x⁻¹·I for the x in I with the least Tr(N(x)/νu).
 They lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally positive
-and a represents a narrow ideal class. The totally positive unit u runs through representatives modulo
-squares (docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
+and a represents a narrow ideal class; u runs through the totally positive units modulo squares
+(docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
 """
 
 from collections.abc import Callable, Iterable, Sequence

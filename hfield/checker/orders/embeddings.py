@@ -1,11 +1,11 @@
 """Check statements about optimal embeddings of quadratic orders in orders over ℤ.
 
-Let pᵉ be the power of p that divides the discriminant of O exactly, and S the quadratic order of discriminant
-d, ℤ[x]/(x² − tx + n). With the Eichler symbol −1 and e = 1 the algebra ramifies at p and O is maximal there:
-S has 1 − (S/p) local embeddings, none where p divides its conductor. With the symbol 1 O is an Eichler order
-of level pᵉ there: S has as many as the polynomial has roots modulo pᵉ; where p divides d, the roots modulo pᵉ
-that come from roots modulo pᵉ⁺¹ are counted twice. This is up to conjugation by local units
-(docs/explanation/trust.md).
+Let pᵉ be the power of p that divides the discriminant of O exactly, and let S = ℤ[x]/(x² − tx + n) be the
+quadratic order of discriminant d. Local embeddings are counted up to conjugation by local units. If the
+Eichler symbol is −1 and e = 1, the algebra ramifies at p and O is maximal there. Then S has 1 − (S/p) local
+embeddings, and none if p divides its conductor. If the symbol is 1, O is an Eichler order of level pᵉ at p.
+Then S has one local embedding for each root of the polynomial modulo pᵉ. If p divides d, roots modulo pᵉ that
+come from roots modulo pᵉ⁺¹ are counted twice (docs/explanation/trust.md).
 """
 
 from math import gcd, isqrt, prod

@@ -1,8 +1,9 @@
-"""Units of norm 1 of an order that splits at one real place: a polygon with their area is their domain.
+"""Check a fundamental polygon of the units of norm 1 of an order that splits at one real place, by its area.
 
-The plane is that of the elements of trace 0 with positive norm, up to positive factors, on the sheet of the
-centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers of the field, which are ordered
-by the place, and the polygon that lies nearer to c than to the g·c contains the domain
+Points of the hyperbolic plane are elements of trace 0 and positive norm, up to positive factors, on the same
+sheet of the hyperboloid as the centre c. A unit g of norm 1 maps x to g·x·ḡ. Points and lines are rows of
+integers of the field, ordered by the real place. The Dirichlet domain is contained in the polygon of the
+points that are nearer to c than to g·c, for the given units g; if the areas agree they are equal
 (docs/explanation/trust.md).
 """
 

@@ -6,11 +6,11 @@ not divide D·N. A function f is new if it is orthogonal to functions of the nor
 order O′ in which O has prime index vanishes: the sum of f(J) over the J with J·O′ = L, for each right ideal L
 of O′. At a prime of the level there are two such orders.
 
-The ideals J are given as c·I, I one of the representatives of the classes. They are all if they are different
-and as many as there should be. An orbit of newforms is given by the values of an eigenvector in the field of
-the orbit. If a combination of Hecke operators has different eigenvalues on all these eigenvectors and their
-conjugates, they are independent. They span the new functions if they are as many as the dimension, of which
-equations modulo a prime give an upper bound (docs/explanation/trust.md).
+The ideals J are given as c·I, where I represents a class. The list of the J is complete if they are
+different and their number is the expected one. An orbit of newforms is given by the values of an eigenvector
+in the field of the orbit. If a combination of Hecke operators has different eigenvalues on all these
+eigenvectors and their conjugates, they are independent. They span the new functions if their number is the
+dimension; equations modulo a prime give an upper bound of it (docs/explanation/trust.md).
 """
 
 from collections import Counter

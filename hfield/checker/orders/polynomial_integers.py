@@ -1,7 +1,7 @@
-"""The polynomials over a finite field as integers of its rational functions: an integral domain like ℤ.
+"""Polynomials over a finite field with the interface of integers.
 
-They have the operators of Python's integers, so that matrices, lattices and ideals serve both. An integer
-stands for a constant. Every operation spends its own work.
+They have the operators of Python's integers, so that the code for matrices, lattices and ideals works with
+both. A Python integer is read as a constant. Every operation spends its cost from the budget.
 """
 
 from collections.abc import Hashable, Iterator, Sequence

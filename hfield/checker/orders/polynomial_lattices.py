@@ -1,7 +1,7 @@
 """Lattices over GF(q)[t]: reduced bases, elements of least or given degree, Eichler symbols and masses.
 
-A basis b is reduced where the degree of N(Σ cₙ·bₙ) is the largest of those of the N(cₙ·bₙ). That is seen from
-the leading coefficients, and shows as well that the algebra ramifies at infinity (docs/explanation/trust.md).
+A basis b is reduced if the degree of N(Σ cₙ·bₙ) is always the largest of the degrees of N(cₙ·bₙ). The leading
+coefficients prove this, and also that the algebra ramifies at infinity (docs/explanation/trust.md).
 """
 
 from collections.abc import Iterator, Sequence

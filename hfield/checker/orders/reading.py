@@ -1,7 +1,7 @@
 """Read statements and evidence about orders, over ℚ, a number field and the functions over a finite field.
 
-Over ℚ numbers are fractions. Over a number field the evidence also gives an integral basis, the units and the
-prime ideals, which are known for ℤ. Over functions evidence is written as statements are.
+Over ℚ numbers are fractions. Over a number field the evidence also has an integral basis, the units and the
+prime ideals. Over function fields the evidence has the same notation as statements.
 """
 
 from abc import ABC, abstractmethod

@@ -1,4 +1,4 @@
-"""The words of certificates about orders, in three spellings, and which evidence shows or refutes them.
+"""The words of statements about orders over three kinds of base, and the evidence that decides them.
 
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
 ``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·

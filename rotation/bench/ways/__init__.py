@@ -1,7 +1,7 @@
-"""The ways to rotate that the benchmark measures: ours, other libraries, plain numpy, the thesis's.
+"""The implementations that the benchmark measures: this package, other libraries, plain numpy, the thesis.
 
-What can be laid out once before the first frame is, for every way: a layout of its own, lists, the
-points as quaternions. What depends on the frame's angles is inside the time.
+Preparations that are independent of the angles, such as a memory layout or lists, are made before the first
+frame and not timed. Computations that depend on the angles of the frame are timed.
 """
 
 from rotation.bench.ways.other_libraries import PEERS

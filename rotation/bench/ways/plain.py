@@ -1,4 +1,4 @@
-"""Plain numpy: the copy that is the floor, and the arithmetic written out on arrays."""
+"""Plain numpy: a copy of the points, as a lower bound of the time, and the arithmetic on whole arrays."""
 
 from __future__ import annotations
 
