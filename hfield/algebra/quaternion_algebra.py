@@ -560,7 +560,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """Print the function that multiplies two elements: the general formula with these constants.
 
         >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
-        # Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large.
+        # Storage of elements over ℤ/n as four ints between 0 and n − 1, of flint for large n.
         # b = 4, n = 7
         def product(p, q):
             w1, x1, y1, z1 = p

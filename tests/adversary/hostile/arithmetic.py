@@ -47,6 +47,11 @@ def ideal_classes(p: int) -> str:
     return json.dumps(A.eichler_order(A.ring.primes_above(p)[0]).class_set().certificate)
 
 
+def newforms(p: int) -> str:
+    classes = QuaternionAlgebra(p).maximal_order().class_set()
+    return json.dumps(classes.claim_of_newforms().certificate)
+
+
 def over_zz(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
     """Return certificates about an Eichler order over the integers of ℚ(√5), an ideal and a moved order."""
 
@@ -81,6 +86,12 @@ FILES: dict[str, Hostile] = {
     "norm-one-group-over-integers: a large level": (group_over_integers, 11, 199),
     "dirichlet-domain-over-integers: a large level": (domain_over_integers, 11, 199),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
+    "newforms: a large level": (newforms, 11, 677),
+    "newforms-over-integers: a large level": (
+        over_zz(lambda order, *_: order.class_set().claim_of_newforms()),
+        31,
+        401,
+    ),
     "order-over-integers: a large level": (over_zz(lambda order, *_: order.claim), 11, 401),
     "ideal-over-integers: a large level": (
         over_zz(lambda _, ideal, __: ideal.claim),
