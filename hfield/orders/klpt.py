@@ -18,9 +18,10 @@ from collections.abc import Iterator
 from itertools import chain, islice
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.factorisation import factor
+from hfield.core.factorisation import factor, remove
 from hfield.core.primality import is_prime, is_probable_prime
 from hfield.errors import LatticeError, NoEquivalentIdealError, UndecidedError, shorten
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import hermite
 from hfield.orders.allowed_norms import AllowedNorms, Divisors, Powers
 from hfield.orders.ideals_of_norm import two_sided_prime
@@ -205,20 +206,22 @@ def to_norm_dividing(
     :class:`UndecidedError`.
     """
     p = expect_maximal(order, "equivalent_of_norm_dividing()")
-    rng = random.Random(seed)
-    variants = [(ideal, _without(number, p))]
-    if number % p == 0:
-        # the elements of norms that p divides are those of P·I, for the two-sided prime P
-        variants.append((product(two_sided_prime(order, p), ideal), number // p))
+    rng, allowed = random.Random(seed), number
+    variants = [ideal]
+    # the elements of norms that a ramified prime divides are those of P·I, for the two-sided prime P
+    for prime in (int(fraction(P)) for P in order.ambient.ramified):
+        if number % prime == 0:
+            allowed = remove(allowed, prime)[1]
+            above = two_sided_prime(order, prime)
+            variants += [product(above, lattice) for lattice in variants]
     found, larger, proved = list[Quaternion](), list[tuple[LatticeValue, AllowedNorms, int]](), True
-    for lattice, allowed in variants:
+    for lattice in variants:
         x, decided, tried = norm_dividing(lattice, allowed, rng)
         proved = proved and decided
         if x is not None:
             found.append(x)
         elif not decided:
-            primes = factor(_without(allowed, p)).primes
-            larger.append((lattice, Divisors(tuple(primes.items())), tried))
+            larger.append((lattice, Divisors(tuple(factor(allowed).primes.items())), tried))
     if found:
         return min(found, key=lambda x: _relative_norm(ideal, x))
     for lattice, divisors, tried in larger:
@@ -239,12 +242,6 @@ def to_norm_dividing(
     )
 
 
-def _without(number: int, p: int) -> int:
-    while number % p == 0:
-        number //= p
-    return number
-
-
 def _of_large_norm(
     ideal: LatticeValue, norms: AllowedNorms, least: int, rng: random.Random
 ) -> Quaternion | None:
@@ -260,6 +257,8 @@ def _of_large_norm(
 def _needed(ideal: LatticeValue, order: LatticeValue, number: int) -> str:
     """Return a sentence on the size of numbers for which KLPT is likely to succeed."""
     p = order.ambient.base.absolute_norm(discriminant(order))
+    if len(order.ambient.ramified) > 1 and extremal_frame(order, MAX_FRAME_DISCRIMINANT) is None:
+        return f"KLPT, for larger numbers, is for algebras of prime discriminant, and this is {shorten(p)}"
     bits = _needed_bits(ideal, order, Divisors(tuple(factor(number).primes.items())))
     return (
         f"This number has {number.bit_length()} bits, and a smooth number prime to {shorten(p)} of about "

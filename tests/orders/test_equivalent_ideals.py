@@ -94,6 +94,27 @@ def test_small_numbers_are_decided_as_a_search_decides(p) -> None:
             I.equivalent_of_norm_dividing(number)
 
 
+@pytest.mark.parametrize("discriminant", [30, 42, 105])
+def test_numbers_that_share_some_primes_with_the_discriminant(discriminant) -> None:
+    """Elements of even norm lie in one two-sided prime ideal, and need none of those at other primes."""
+    O = QuaternionAlgebra(discriminant).maximal_order()
+    for norm, factor in itertools.product((13, 17, 19), (1, 2, 7, discriminant)):
+        I = O.random_ideal(norm, seed=norm)
+        least = least_divisor(I, factor * discriminant)
+        if least is not None:
+            assert check_dividing(I, factor * discriminant) == least
+            continue
+        with pytest.raises(NoEquivalentIdealError):
+            I.equivalent_of_norm_dividing(factor * discriminant)
+
+
+def test_a_proof_where_no_order_is_extremal() -> None:
+    """KLPT is for algebras of prime discriminant: the error names no size of numbers for it."""
+    O = QuaternionAlgebra(102).maximal_order().random_ideal(1009, seed=0).right_order()
+    with pytest.raises(NoEquivalentIdealError, match="prime discriminant, and this is 102"):
+        O.random_ideal(19, seed=0).equivalent_of_norm_dividing(1)
+
+
 @pytest.mark.parametrize("number", [2**89 - 1, 1048571**2, 137 * (2**61 - 1)])
 def test_large_numbers_of_few_divisors(number) -> None:
     O = algebra(137).extremal_order()
