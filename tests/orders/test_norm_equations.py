@@ -96,6 +96,15 @@ def test_what_a_prime_forbids_is_none() -> None:
         assert not is_obstructed(M.value, D, 10**30 + 57)
 
 
+def test_norms_at_primes_where_few_ideals_are_invertible() -> None:
+    """In ℤ_K + 3·O no norm is divisible by 3 alone, and those that 9 divides are the norms of 3·O."""
+    O = QuaternionAlgebra("QQ(sqrt(2))", -1, -1).maximal_order()
+    R = O.algebra.order([O.algebra(1), *(3 * x for x in O.basis)])
+    assert R.represent_integer(6 * 101) is None
+    x = R.represent_integer(9 * 101)
+    assert (x.norm(), x in R) == (909, True)
+
+
 def test_small_norms_are_decided() -> None:
     rng = Random(2)
     for _ in range(15):
