@@ -432,7 +432,7 @@ def is_obstructed(order: LatticeValue, prime: Prime, norm: BaseNumber) -> bool:
     at = OrderAtPrime(order, prime)
     if at.norm**4 > MAX_CLASSES:
         return False
-    place, number = at.place, at.base.element_of
+    place, number, domain = at.place, at.base.element_of, at.domain
     classes = list(_classes(at))
     uniformiser = at.coordinates(order.rows * at.ambient.scalar(place.uniformiser))
 
@@ -442,12 +442,13 @@ def is_obstructed(order: LatticeValue, prime: Prime, norm: BaseNumber) -> bool:
         for k in count(1):
             rest = []
             for x in level:
-                images = [form * x.transpose() for form in at.traces]
-                value = number([fmpq((x * image)[0, 0], 2) for image in images])
+                value = number([domain.fraction(c) for c in at.norm_of(x.entries())])
                 if value != target and place.valuation(value - target) < k:
                     continue
+                images = [form * x.transpose() for form in at.traces]
                 slopes = (
-                    number([fmpq(image[m, 0]) for image in images]) for m in range(at.ambient.size)
+                    number([domain.fraction(image[m, 0]) for image in images])
+                    for m in range(at.ambient.size)
                 )
                 slope = min((place.valuation(s) for s in slopes if s), default=math.inf)
                 if value == target or place.valuation(value - target) > 2 * slope:

@@ -105,6 +105,18 @@ def test_norms_at_primes_where_few_ideals_are_invertible() -> None:
     assert (x.norm(), x in R) == (909, True)
 
 
+def test_large_norms_over_polynomials_in_orders_that_are_not_maximal() -> None:
+    """In 𝔽₂[t] + t·O norms are divisible by t² or prime to t."""
+    O = QuaternionAlgebra.from_text("[1,t^3+t+1|GF(2)(t))").maximal_order()
+    t = O.algebra.ring("t")
+    R = O.algebra.order([O.algebra(1), *(t * x for x in O.basis)])
+    n = t**9 + t + 1
+    for large in (n, t**2 * n):
+        x = R.represent_integer(large)
+        assert (x.norm(), x in R) == (large, True)
+    assert R.represent_integer(t * n) is None
+
+
 def test_small_norms_are_decided() -> None:
     rng = Random(2)
     for _ in range(15):
