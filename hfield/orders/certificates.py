@@ -142,7 +142,7 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
 
 
 def of_unit_index(order: LatticeValue, number: int) -> CertifiedClaim:
-    """Return how many units there are modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
+    """Return the claim of the number of units modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
     words = _words(order.ambient)
     shown = words.of_unit_index(order)
     return words.claim(
@@ -554,7 +554,7 @@ class _OverField:
         return {"units": shown, "fundamental": list(map(ring.coordinates, units))}
 
     def _class(self, classes: Classes, n: int) -> dict[str, object]:
-        """Return a basis in which short vectors are found quickly, and what generates the norm."""
+        """Return a reduced basis and a generator of the norm."""
         norm, integers = classes.norms[n], self.integers
         return {
             **_basis(classes.lattice(n), norm.element),

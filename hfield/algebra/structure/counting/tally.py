@@ -46,7 +46,7 @@ class Tally:
     roots: dict[str, int] = field(default_factory=dict)
 
     def number(self, kind: str, value: str = "") -> int:
-        """Return how many elements there are of a kind; ``value`` is the text of the norm or square."""
+        """Return the number of elements of a kind; ``value`` is the text of the norm or square."""
         by_value = {"norm": self.norms, "square roots": self.roots}
         return by_value[kind][value] if kind in by_value else int(getattr(self, kind))
 
