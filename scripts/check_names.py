@@ -90,13 +90,17 @@ PROSE = re.compile(
 """What comments, docstrings and pages must not say."""
 
 
+MADE = {"_build", "api"}
+"""Folders of pages that the build of the documentation makes."""
+
+
 def sources() -> Iterator[Path]:
     """Yield the Python files, and the pages of the documentation."""
     for folder in PROSE_FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
             if (
                 path.suffix in (".py", ".md")
-                and "_build" not in path.parts
+                and not MADE.intersection(path.parts)
                 and path.name not in NEWS
             ):
                 yield path
