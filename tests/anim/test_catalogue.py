@@ -51,7 +51,9 @@ def add(folder: Path, text: str, catalogue: Catalogue, package, monkeypatch) -> 
     folder.mkdir()
     (folder / f"{folder.name}.py").write_text(text)
     monkeypatch.setattr(package, "__path__", [*package.__path__, str(folder)])
-    monkeypatch.setattr(catalogue, "names", Catalogue(package.__name__, "").names)
+    fresh = Catalogue(package.__name__, "")
+    monkeypatch.setattr(catalogue, "names", fresh.names)
+    monkeypatch.setattr(catalogue, "summaries", fresh.summaries)
 
 
 def test_a_style_joins_by_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
