@@ -35,7 +35,7 @@ install() { # FOLDER: an environment for each Python there
 }
 
 test_all() { # FOLDER [all]: the tests in each environment, beside one another
-    local tests=(tests/fields tests/algebra tests/prover tests/syntax tests/test_executors.py README.md)
+    local tests=(tests/algebra tests/prover tests/syntax tests/test_executors.py README.md)
     local old=(tests/fields tests/algebra tests/matrices tests/polynomials tests/fuchsian tests/rotation tests/anim tests/test_batches.py README.md)
     local between=(tests/algebra tests/syntax tests/test_executors.py README.md)
     local once=--once path name failed=0 words newest
