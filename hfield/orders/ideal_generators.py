@@ -53,7 +53,7 @@ def two_generators(
 
 
 def _rows(ideal: LatticeValue) -> Iterator[tuple[int, ...]]:
-    """Yield the elements of a basis, reduced where it can be, and then random ones of growing size."""
+    """Yield the elements of a basis, reduced if possible, and then random ones of increasing size."""
     ambient, rng = ideal.ambient, random.Random(0)
     yield from hermite.tuples(ideal.short_rows)
     for trial in range(MAX_TRIALS):

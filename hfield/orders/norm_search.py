@@ -33,23 +33,23 @@ if TYPE_CHECKING:
     import numpy as np
 
 Row = tuple[int, ...]
-FEW_HEADS, MANY_HEADS = 1_000, 2**17
-"""So many choices of three coordinates are run through without arrays, and before planes are tried."""
+MAX_HEADS_WITHOUT_ARRAYS, MAX_HEADS_WITHOUT_PLANES = 1_000, 2**17
+"""Up to these numbers of choices of three coordinates, arrays and planes are not used."""
 MAX_HEADS, MAX_ALL_HEADS = 2**24, 2**26
-"""So many choices of three coordinates are tried for one norm, and for all divisors of a number."""
+"""At most this number of choices is tried for one norm, and for all divisors of a number."""
 BLOCK = 2**16
 MAX_RANGE = 2**10
-"""Of a third coordinate so many values are tried where not all are."""
+"""At most this number of values of the second coordinate is tried, where the search is not complete."""
 MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
-"""So many elements are listed, the shortest ones, in small and in large lattices."""
+"""At most this number of shortest elements is listed, in small and in large lattices."""
 SMALL_VOLUME = 2**24
 """In lattices of at most this volume, for ideals the discriminant, norms of all sizes are searched."""
 MAX_DIVISORS = 200_000
 MAX_PLANES, MAX_PLANE_DISCRIMINANT = 24, 2**28
-"""So many planes are used; of larger discriminants too few numbers are represented."""
+"""At most this number of planes is used; planes of larger discriminant represent too few numbers."""
 MAX_ROOTS = 64
 PLANE_TRIALS = 1_000, 30_000
-"""So many pairs (z, w) are tried for each plane, in two rounds, as a plane may represent no such number."""
+"""Pairs (z, w) tried for each plane, in two rounds, since a plane may represent no such number."""
 
 
 def of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Quaternion | None, bool]:
@@ -62,10 +62,10 @@ def _row_of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Row
     """Return the same as a row over the denominator of the lattice."""
     rows, gram = lattice.reduced
     heads = enumeration.volume(gram, 2 * n, 3)
-    if heads <= FEW_HEADS:
+    if heads <= MAX_HEADS_WITHOUT_ARRAYS:
         found = first_of_norm(lattice, lattice.ambient.base.inside(fraction(lattice.norm) * n))
         return (None if found is None else hermite.tuples(found)[0]), True
-    row = on_planes(lattice, n, rng) if heads > MANY_HEADS else None
+    row = on_planes(lattice, n, rng) if heads > MAX_HEADS_WITHOUT_PLANES else None
     if row is not None:
         return row, True
     x, decided = _vector_of_length(gram, 2 * n, MAX_HEADS, heads, rng)

@@ -84,7 +84,7 @@ def _symbolic_bits(expr: Any) -> int:
 
 
 def is_quick(x: object, n: int) -> bool:
-    """Return whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
+    """Return whether the polynomial xⁿ is small: its degree and its numbers are below QUICK_BITS bits."""
     return n <= MAX_UNCHECKED_POWER or bits(x) * n <= QUICK_BITS
 
 

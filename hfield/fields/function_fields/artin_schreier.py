@@ -64,7 +64,7 @@ def of_trace_one(field: FunctionField, form: NormalForm, m: RationalFunction) ->
 
 
 def _pairs(field: FunctionField) -> Iterator[tuple[Any, Any]]:
-    """Yield random pairs of polynomials, not both 0, of growing degree."""
+    """Yield random pairs of polynomials, not both 0, of increasing degree."""
     rng, t = Random(1), field.gen
 
     def polynomial(size: int) -> Any:

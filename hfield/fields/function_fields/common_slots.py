@@ -130,7 +130,7 @@ def _search(
     places: list[_Local],
     infinite: set[tuple[int, bool]],
 ) -> RationalFunction:
-    """Try cofactors u of growing degree until ``u·∏ π^valuation`` is right at all places."""
+    """Try cofactors u of increasing degree until ``u·∏ π^valuation`` is right at all places."""
     rng = random.Random(1)
     divisor = field.one.num
     for v in places:

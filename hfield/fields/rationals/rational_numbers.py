@@ -190,13 +190,13 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
 numbers.Rational.register(RationalNumber)
 rational_number: Callable[..., RationalNumber] = partial(type.__call__, RationalNumber)
 """Make a rational number of one or two ints or numbers of flint."""
-QUICK = frozenset({RationalNumber, fmpq, fmpz, int})
+NOT_FRACTIONS = frozenset({RationalNumber, fmpq, fmpz, int})
 """Types that are not Fractions; the test for a Fraction takes longer for other types."""
 
 
 def _of_python(x: object) -> object:
     """Return a Fraction as flint's rational, and anything else unchanged."""
-    if type(x) not in QUICK and isinstance(x, Fraction):
+    if type(x) not in NOT_FRACTIONS and isinstance(x, Fraction):
         return fmpq(int(x.numerator), int(x.denominator))  # of numpy, perhaps
     return x
 
