@@ -5,8 +5,6 @@
 # stay new. With `all`, all cases of all quick tests run everywhere.
 #
 #     scripts/check_oldest.sh [all]
-#     scripts/check_oldest.sh install FOLDER      # the environments, which wait for the network
-#     scripts/check_oldest.sh test FOLDER [all]   # the tests in them
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -59,21 +57,7 @@ test_all() { # FOLDER [all]: the tests in each environment, beside one another
     return $failed
 }
 
-case "${1:-}" in
-install | test)
-    folder=$2
-    trap 'kill $(jobs -p) 2>/dev/null || true' EXIT
-    ;;
-*)
-    folder=$(mktemp -d)
-    trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$folder"' EXIT
-    ;;
-esac
-case "${1:-}" in
-install) install "$folder" ;;
-test) test_all "$folder" "${3:-}" ;;
-*)
-    install "$folder"
-    test_all "$folder" "${1:-}"
-    ;;
-esac
+folder=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$folder"' EXIT
+install "$folder"
+test_all "$folder" "${1:-}"
