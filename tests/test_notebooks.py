@@ -29,22 +29,31 @@ def test_no_output_is_kept(path):
     assert path.stat().st_size < 20_000
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 @pytest.mark.filterwarnings("default")  # Jupyter's own are not ours to mend
-def test_a_notebook_runs(path, tmp_path, monkeypatch):
+def test_notebooks_run(tmp_path, monkeypatch):
+    """One kernel runs all of them, and forgets the names of one before the next."""
     nbformat = pytest.importorskip("nbformat")
     nbclient = pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
     monkeypatch.setenv("PYTHONPATH", str(FOLDER.parents[1]))
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
-    book = nbformat.read(path, as_version=4)
-    nbformat.validate(book)
-    nbclient.NotebookClient(book, timeout=PATIENCE, kernel_name="python3").execute()
-    shown = set()
-    for cell in book.cells:
+    everything = nbformat.v4.new_notebook()
+    books = [nbformat.read(path, as_version=4) for path in NOTEBOOKS]
+    for book in books:
+        nbformat.validate(book)
+        everything.cells += [nbformat.v4.new_code_cell("%reset -f"), *book.cells]
+    nbclient.NotebookClient(everything, timeout=PATIENCE, kernel_name="python3").execute()
+    for path, book in zip(NOTEBOOKS, books, strict=True):
+        assert shown(book.cells) & RICH, path.stem
+
+
+def shown(cells):
+    """Return the types of what the cells show; each shows its value, and nothing on stderr."""
+    types = set()
+    for cell in cells:
         if cell.cell_type == "code":
-            (output,) = cell.outputs  # and nothing on stderr
-            assert output.output_type == "execute_result"
-            assert any(output.data.values())
-            shown |= set(output.data)
-    assert shown & RICH
+            (output,) = cell.outputs
+            assert output.output_type == "execute_result", cell.source
+            assert any(output.data.values()), cell.source
+            types |= set(output.data)
+    return types
