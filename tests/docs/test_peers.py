@@ -86,23 +86,23 @@ OURS: dict[str, Callable[[], bool]] = {
     "decides statements about all quaternions": lambda: (
         prove("p*q == q*p", "QQ").verdict == "refuted"
     ),
-    "gives certificates, and a checker that stands alone": a_certified_theorem,
-    "division algebra or not, over number fields": lambda: (
+    "gives certificates that an independent program checks": a_certified_theorem,
+    "division algebra or not, over a number field": lambda: (
         H("QQ(sqrt(-7))").is_division_algebra() and not H("QQ(I)").is_division_algebra()
     ),
-    "over ℚ(x), GF(5)(t), ℚ₅, ℝ": division_over_many_fields,
+    "the same over ℚ(x), GF(5)(t), ℚ₅, ℝ": division_over_many_fields,
     "characteristic 2": lambda: H(GF(4)).is_commutative(),
-    "a million products in one call": a_million_products,
-    "classes of ideals over ℤ, Brandt matrices": lambda: (
+    "multiplies a million pairs in one call": a_million_products,
+    "ideal classes over ℤ, Brandt matrices": lambda: (
         QuaternionAlgebra(11).maximal_order().class_set().brandt_matrix(2) == [[1, 2], [3, 0]]
     ),
-    "classes over the integers of number fields": classes_over_a_number_field,
+    "ideal classes over the integers of number fields": classes_over_a_number_field,
     "Hilbert newforms with irrational eigenvalues": hilbert_newforms,
     "all optimal embeddings in indefinite orders, with a certificate": certified_embeddings,
-    "orders over 𝔽_q[t] and their classes": classes_over_polynomials,
-    "units of indefinite orders, the domain proved": a_proved_domain,
+    "orders over 𝔽_q[t] and their ideal classes": classes_over_polynomials,
+    "unit groups of indefinite orders, with a proved fundamental domain": a_proved_domain,
     "inverts matrices over H(F)": an_inverse,
-    "all roots of polynomials over H(F)": all_roots,
+    "finds all roots of polynomials over H(F)": all_roots,
 }
 
 
@@ -126,21 +126,23 @@ def sages(sage, algebra) -> dict[str, Callable[[], object]]:
     QQ, x = sage.QQ, sage.polygen(sage.QQ)
     matrix = lambda A: sage.matrix(A, [[A.gen(0), 1], [1, A.gen(1)]])  # noqa: E731
     return {
-        "division algebra or not, over number fields": lambda: algebra(
+        "division algebra or not, over a number field": lambda: algebra(
             sage.NumberField(x**2 + 7, "s"), -1, -1
         ).is_division_algebra(),
-        "over ℚ(x), GF(5)(t), ℚ₅, ℝ": lambda: algebra(
+        "the same over ℚ(x), GF(5)(t), ℚ₅, ℝ": lambda: algebra(
             sage.FractionField(QQ["x"]), -1, -1
         ).is_division_algebra(),
         "characteristic 2": lambda: algebra(sage.GF(4, "a"), 1, 1),
-        "classes of ideals over ℤ, Brandt matrices": lambda: (
+        "ideal classes over ℤ, Brandt matrices": lambda: (
             sage.BrandtModule(11).hecke_matrix(2).list() == [1, 2, 3, 0]
         ),
-        "classes over the integers of number fields": lambda: (
+        "ideal classes over the integers of number fields": lambda: (
             algebra(sage.QuadraticField(5), -1, -1).maximal_order().class_set()
         ),
         "inverts matrices over H(F)": lambda: matrix(algebra(QQ, -1, -1)).inverse(),
-        "all roots of polynomials over H(F)": lambda: algebra(QQ, -1, -1)["x"]([1, 0, 1]).roots(),
+        "finds all roots of polynomials over H(F)": lambda: algebra(QQ, -1, -1)["x"](
+            [1, 0, 1]
+        ).roots(),
     }
 
 
@@ -153,10 +155,10 @@ def test_sage() -> None:
 
 
 PARIS = {
-    "division algebra or not, over number fields": (
+    "division algebra or not, over a number field": (
         "algisdivision(alginit(nfinit(y^2+7),[-1,-1]))"
     ),
-    "over ℚ(x), GF(5)(t), ℚ₅, ℝ": "algisdivision(alginit(ffgen(5),[2,3]))",
+    "the same over ℚ(x), GF(5)(t), ℚ₅, ℝ": "algisdivision(alginit(ffgen(5),[2,3]))",
     "characteristic 2": "alginit(Mod(1,2),[1,1])",
     "inverts matrices over H(F)": (
         "A=alginit(nfinit(y),[-1,-1]);alginv(A,[[1,0,0,0]~,[0,1,0,0]~;[0,0,1,0]~,[1,0,0,0]~])"
@@ -171,7 +173,7 @@ def test_pari() -> None:
 
 
 GAPS = {  # what it prints, where it is right
-    "division algebra or not, over number fields": "IsDivisionRing(QuaternionAlgebra(Rationals,2,3))",
+    "division algebra or not, over a number field": "IsDivisionRing(QuaternionAlgebra(Rationals,2,3))",
     "characteristic 2": "IsCommutative(QuaternionAlgebra(GF(4),One(GF(4)),One(GF(4))))",
     "inverts matrices over H(F)": (
         "(function() local b,M; b:=Basis(QuaternionAlgebra(Rationals));"
