@@ -23,7 +23,7 @@ from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import primes
 from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
-from hfield.fields.base.finite_places import FinitePlace
+from hfield.fields.base.finite_places import FinitePlace, Residue
 from hfield.fields.base.residue_polynomials import coefficients, residues
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import ClassGroup, class_group
@@ -52,7 +52,6 @@ from hfield.orders.base_values import (
     NumberT,
     Prime,
     Quadruple,
-    Residue,
     ShownIdeal,
     ThetaSeries,
     TrivialClassGroup,

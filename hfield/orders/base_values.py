@@ -107,15 +107,6 @@ ThetaSeries: TypeAlias = list[int] | dict[BaseNumber, int]
 """How many elements have which norm: over ℤ by multiples of a step, elsewhere by the norms."""
 
 
-class Residue(Protocol):
-    """A residue modulo a prime, or a sum or product of some, which a place reduces by its modulus."""
-
-    def __add__(self, other: Self, /) -> Self: ...
-    def __sub__(self, other: Self, /) -> Self: ...
-    def __mul__(self, other: Self, /) -> Self: ...
-    def __mod__(self, modulus: Self, /) -> Self: ...
-
-
 class TrivialClassGroup:
     """The trivial class group of a base whose ideals are all principal in the wanted sense."""
 

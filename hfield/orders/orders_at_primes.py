@@ -18,8 +18,9 @@ from flint import fmpq_mat, fmpz_mat
 
 from hfield.core.properties import cached_property
 from hfield.errors import LatticeError
+from hfield.fields.base.finite_places import Residue
 from hfield.orders import hermite
-from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Residue
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime
 from hfield.orders.domains import EuclideanDomain
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
@@ -122,7 +123,8 @@ class OrderAtPrime:
         vectors = self.domain.kernel(hermite.stacked(*forms), self.p)
         if self.place.even and vectors:  # N is additive on these, and so is the root of its residue
             roots = (self.place.sqrt(self.residue(self.norm_of(v))) for v in vectors)
-            columns = list(zip(*map(self.digits, roots), strict=True))
+            known = (r for r in roots if r is not None)  # each has one, in characteristic 2
+            columns = list(zip(*map(self.digits, known), strict=True))
             matrix = self.domain.matrix
             chosen = self.domain.kernel(matrix(columns), self.p)
             vectors = (matrix(chosen) * matrix(vectors)).tolist() if chosen else []

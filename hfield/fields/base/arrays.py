@@ -17,10 +17,12 @@ One: TypeAlias = SupportsIndex | slice | EllipsisType | Sequence[int] | np.ndarr
 Index: TypeAlias = One | tuple[One, ...]  # what numpy takes in brackets
 
 
-class Objects(np.ndarray[Any, np.dtype[Any]]):
+class Objects(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
     """An object array whose entries are ring elements; arithmetic is elementwise."""
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **kwargs: Any) -> Any:
+    def __array_ufunc__(
+        self, ufunc: np.ufunc, method: str, *inputs: object, **kwargs: Any
+    ) -> object:
         operands = [_plain(x) for x in inputs]
         if "out" in kwargs:
             kwargs["out"] = tuple(_plain(x) for x in kwargs["out"])
@@ -108,7 +110,7 @@ def _plain(x: object) -> np.ndarray:
     return x if isinstance(x, np.ndarray) else wrap(x)
 
 
-def _dress(x: object) -> Any:
+def _dress(x: object) -> object:
     if isinstance(x, np.ndarray):
         return x.view(Objects) if x.dtype == object else x
     return x if isinstance(x, (bool, np.bool_)) else wrap(x).view(Objects)

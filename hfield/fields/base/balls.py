@@ -1,7 +1,6 @@
 """Decisions from enclosures of numbers by flint's balls, at increasing precision."""
 
 from collections.abc import Callable
-from typing import Any
 
 import flint
 
@@ -10,7 +9,8 @@ from hfield.errors import UndecidedError
 
 MAX_BITS = 100_000
 
-Enclosure = Callable[[int], Any]  # bits of working precision ↦ a complex ball around the number
+Enclosure = Callable[[int], flint.acb]
+"""Bits of working precision ↦ a complex ball around the number."""
 _lock = locks.lock()
 
 
@@ -47,7 +47,7 @@ def fingerprint(enclosure: Enclosure) -> tuple[int, int]:
     return _floor(enclosure, lambda z: z.real), _floor(enclosure, lambda z: z.imag)
 
 
-def _floor(enclosure: Enclosure, part: Callable[[Any], Any]) -> int:
+def _floor(enclosure: Enclosure, part: Callable[[flint.acb], flint.arb]) -> int:
     bits = 96
     while bits <= MAX_BITS:
         value = part(enclosure(bits))

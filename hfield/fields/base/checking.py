@@ -6,10 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import islice, product
 from random import Random
-from typing import Any
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 
 SAMPLES = 30
 SAMPLED_MULTIPLES = (0, 1, -1, 2, 3)  # multiples of 1 among the samples
@@ -53,14 +52,14 @@ def _is_of_characteristic(F: Ring) -> bool:
     return (not p or F.is_zero(F(p))) and not any(F.is_zero(F(n)) for n in nonzero)
 
 
-def _has_inverse(F: Ring, x: Any) -> bool:
+def _has_inverse(F: Ring[E], x: E) -> bool:
     try:
         return F.agree(x * F.inverse(x), F.one)
     except NotInvertibleError:
         return F.is_zero(x) or not F.is_field
 
 
-def _is_consistent_unit(F: Ring, x: Any) -> bool:
+def _is_consistent_unit(F: Ring[E], x: E) -> bool:
     try:
         F.inverse(x)
     except NotInvertibleError:
@@ -68,7 +67,7 @@ def _is_consistent_unit(F: Ring, x: Any) -> bool:
     return F.is_unit(x)
 
 
-def _has_annihilator(F: Ring, x: Any) -> bool:
+def _has_annihilator(F: Ring[E], x: E) -> bool:
     y = F.annihilator(x)
     return y is None or (not F.is_zero(y) and F.is_zero(x * y))
 
@@ -152,7 +151,7 @@ def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
     return RingReport(ring.name, len(elements), tuple(failed), tuple(unknown))
 
 
-def _counterexample(ring: Ring, axiom: Axiom, elements: Sequence[Any], rng: Random) -> str | None:
+def _counterexample(ring: Ring[E], axiom: Axiom, elements: Sequence[E], rng: Random) -> str | None:
     """Return where an axiom fails, or None. Raises UndecidedError if that is not known."""
     small = elements[: len(SAMPLED_MULTIPLES)]
     places = [
@@ -182,7 +181,7 @@ def _error_text(error: Exception) -> str:
     return f"{type(error).__name__}: {shorten(error)}"
 
 
-def _text(ring: Ring, x: Any) -> str:
+def _text(ring: Ring[E], x: E) -> str:
     try:
         return shorten(ring.text(x))
     except Exception:  # it is an error of the ring that is looked for

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import Ring
 
 
-class Coefficients(tuple[Any, ...]):
+class Coefficients(tuple[Scalar, ...]):
     """The coefficients of a polynomial in X over a ring, low degree first: a tuple displayed as the
     polynomial.
 
@@ -21,7 +21,7 @@ class Coefficients(tuple[Any, ...]):
 
     ring: Ring
 
-    def __new__(cls, ring: Ring, values: Iterable[object]) -> Coefficients:
+    def __new__(cls, ring: Ring, values: Iterable[Scalar]) -> Coefficients:
         """Make the tuple, and note the ring that its entries are printed by."""
         made = super().__new__(cls, values)
         made.ring = ring

@@ -3,57 +3,78 @@
 from __future__ import annotations
 
 from random import Random
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 
-class FinitePlace(Protocol):
+class Residue(Protocol):
+    """A residue modulo a prime, or a sum or product of some, which a place reduces by its modulus."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __sub__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __mod__(self, modulus: Self, /) -> Self: ...
+
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    E = TypeVar("E", default=Any)  # ``FinitePlace`` alone: of values that nobody checks
+    K = TypeVar("K", bound=Residue, default=Any)
+else:
+    from typing import TypeVar
+
+    E = TypeVar("E")  # an element of the field
+    K = TypeVar("K")  # a residue
+
+
+class FinitePlace(Protocol[E, K]):
     """A place of a field with its residue field, which is a quotient of a ring of numbers or polynomials.
 
     Residues are added and multiplied as such, and reduced by ``% modulus``.
     """
 
-    modulus: Any
-    zero: Any
-    one: Any
+    modulus: K
+    zero: K
+    one: K
 
     @property
     def even(self) -> bool:
         """Whether the characteristic of the residue field is 2."""
 
     @property
-    def uniformiser(self) -> Any:
+    def uniformiser(self) -> E:
         """An element of valuation 1."""
 
     @property
-    def inverse_uniformiser(self) -> Any:
+    def inverse_uniformiser(self) -> E:
         """An element of valuation −1 that is integral at all other finite places."""
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: E) -> int:
         """Return the order of a nonzero element."""
 
-    def reduce(self, x: Any) -> Any:
+    def reduce(self, x: E) -> K:
         """Return the class of an element of valuation ≥ 0."""
 
-    def lift(self, x: Any) -> Any:
+    def lift(self, x: K) -> E:
         """Return an element with the given class."""
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: E, n: int) -> E:
         """Return the standard element that is x up to the n-th power of the uniformiser."""
 
-    def over_prime_field(self) -> list[Any]:
+    def over_prime_field(self) -> list[K]:
         """Return a basis of the residue field over its prime field."""
 
-    def random(self, rng: Random) -> Any:
+    def random(self, rng: Random) -> K:
         """Return a random residue."""
 
-    def multiply(self, x: Any, y: Any) -> Any:
+    def multiply(self, x: K, y: K) -> K:
         """Return the product of two residues."""
 
-    def inverse(self, x: Any) -> Any:
+    def inverse(self, x: K) -> K:
         """Return the inverse of a residue that is not 0."""
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: K) -> K | None:
         """Return a square root of a residue, or None."""
 
-    def quadratic_root(self, a: Any, b: Any, c: Any) -> tuple[Any, Any] | None:
+    def quadratic_root(self, a: K, b: K, c: K) -> tuple[K, K] | None:
         """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0`` among the residues, or None."""

@@ -1,14 +1,23 @@
 """Describe a value of another ring in error messages."""
 
 import numbers
-from typing import Any
+from typing import TYPE_CHECKING, TypeGuard
 
 import flint
 
 from hfield.core.primality import is_prime
+from hfield.fields.base.flint_types import SparsePolynomial
+
+if TYPE_CHECKING:
+    import galois
 
 
-def parent_name(x: Any) -> str | None:
+def is_galois(x: object) -> TypeGuard["galois.FieldArray"]:
+    """Return whether x is a galois array or scalar, without importing galois."""
+    return hasattr(type(x), "irreducible_poly")
+
+
+def parent_name(x: object) -> str | None:
     """Return the name of the ring or library that x belongs to, or None for numbers and unknown types."""
     kind = type(x).__name__
     if isinstance(x, flint.nmod):
@@ -22,11 +31,11 @@ def parent_name(x: Any) -> str | None:
     is_of_ours = type(x).__module__.startswith("hfield.fields.") and hasattr(x, "__radd__")
     if is_of_ours and hasattr(x, "field"):  # places and ideals have a field too, and are no numbers
         return str(x.field)
-    if kind.endswith("_mpoly"):
+    if isinstance(x, SparsePolynomial):
         return f"the polynomials in {','.join(x.context().names())} ({kind})"
     if kind in ("Surd", "Closed", "NumberInField"):
         return "the algebraic numbers"
-    if hasattr(type(x), "irreducible_poly"):
+    if is_galois(x):
         return f"galois's {type(x).name} modulo {type(x).irreducible_poly}"
     return None
 

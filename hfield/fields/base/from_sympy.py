@@ -8,15 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, Generic, TypeAlias, TypeGuard, TypeVar
 
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, shorten
 from hfield.fields.base.registry import REGISTRY
 
 if TYPE_CHECKING:
     import sympy
+    from sympy.polys.domains.domainelement import DomainElement
+    from sympy.polys.polyclasses import ANP
 
     from hfield.fields.base.ring import Ring
+
+    Foreign: TypeAlias = sympy.Expr | sympy.Poly | DomainElement | ANP
+
+E = TypeVar("E", bound=Scalar)
+T = TypeVar("T")
 
 
 def is_of_sympy(x: object) -> bool:
@@ -33,7 +41,7 @@ def is_expression(x: object) -> TypeGuard[sympy.Expr]:
     return isinstance(x, sympy.Expr) and not isinstance(x, sympy.Quaternion)
 
 
-def read_foreign(ring: Ring, x: object) -> Any:
+def read_foreign(ring: Ring[E], x: object) -> E:
     """Return the element of the ring that an object of sympy is.
 
     Raises :class:`CoercionError` for what the ring does not hold.
@@ -55,23 +63,23 @@ def check_symbols(values: Iterable[object]) -> None:
             )
 
 
-def _symbols_of(values: Iterable[Any]) -> Iterator[Any]:
+def _symbols_of(values: Iterable[object]) -> Iterator[sympy.Symbol]:
     for x in values:
         if isinstance(x, (list, tuple)):
             yield from _symbols_of(x)
-        elif getattr(getattr(x, "dtype", None), "kind", "") == "O":
+        elif hasattr(x, "ravel") and getattr(getattr(x, "dtype", None), "kind", "") == "O":
             yield from _symbols_of(x.ravel())
         elif is_of_sympy(x):
             yield from (s for s in getattr(x, "free_symbols", ()) if hasattr(s, "name"))
 
 
-def _assumptions(symbol: Any) -> str:
+def _assumptions(symbol: object) -> str:
     given = symbol.assumptions0 if hasattr(symbol, "assumptions0") else {}
     shown = [name for name in ("positive", "real", "integer", "complex") if given.get(name)]
     return f"the assumption {shown[0]}" if shown else "no assumptions"
 
 
-def coefficients_in(x: Any, variable: str) -> list[Any]:
+def coefficients_in(x: object, variable: str) -> list[sympy.Expr]:
     """Return the coefficients of an expression as a polynomial in a variable, low degree first.
 
     Raises :class:`CoercionError` for what is none.
@@ -89,7 +97,7 @@ def coefficients_in(x: Any, variable: str) -> list[Any]:
         raise CoercionError(f"{shorten(x)} is not a polynomial in {variable}") from None
 
 
-def _as_expression(ring: Ring, x: Any) -> sympy.Expr:
+def _as_expression(ring: Ring, x: Foreign) -> sympy.Expr:
     """Return an object of sympy as an expression, unless its characteristic is another one."""
     kind = type(x).__name__
     if kind == "ANP":
@@ -114,7 +122,7 @@ def _as_expression(ring: Ring, x: Any) -> sympy.Expr:
     return x
 
 
-def _of_number_field(ring: Ring, x: Any) -> sympy.Expr:
+def _of_number_field(ring: Ring, x: ANP) -> sympy.Expr:
     """Return an element of a sympy number field in the generator of the ring, which has its polynomial."""
     import sympy
 
@@ -132,21 +140,21 @@ def _of_number_field(ring: Ring, x: Any) -> sympy.Expr:
     return expression
 
 
-class _Expression:
+class _Expression(Generic[E]):
     """One conversion of an expression, which reads each repeated part once."""
 
-    def __init__(self, ring: Ring, whole: object) -> None:
+    def __init__(self, ring: Ring[E], whole: object) -> None:
         self.ring, self.whole = ring, whole
         self.generators = ring.generators()
-        self.known: dict[Any, Any] = {}
+        self.known: dict[sympy.Expr, E] = {}
 
-    def read(self, x: sympy.Expr) -> Any:
+    def read(self, x: sympy.Expr) -> E:
         """Return the element that an expression is. Raises :class:`CoercionError`."""
         if x not in self.known:
             self.known[x] = self._read(x)
         return self.known[x]
 
-    def _read(self, x: Any) -> Any:
+    def _read(self, x: sympy.Expr) -> E:
         ring = self.ring
         if x.is_Rational:
             return ring(Fraction(int(x.p), int(x.q)) if x.q != 1 else int(x.p))
@@ -177,7 +185,7 @@ class _Expression:
             raise self._refused(x, "")
         return value
 
-    def _number(self, x: Any) -> Any:
+    def _number(self, x: sympy.Expr) -> E:
         """Return a number: put together from its parts, or as a whole where the ring does not hold these."""
         ring = self.ring
         if ring.closure or x.has(*_infinite()):  # nothing is gained by its parts
@@ -207,17 +215,17 @@ def _named_generators(names: list[str]) -> str:
     return f"the generators are {', '.join(names)}" if names else "the ring has no generators"
 
 
-def _infinite() -> Any:
+def _infinite() -> tuple[sympy.Expr, ...]:
     import sympy
 
     return sympy.zoo, sympy.oo, -sympy.oo, sympy.nan
 
 
-def _is_reciprocal(x: Any) -> bool:
+def _is_reciprocal(x: sympy.Expr) -> bool:
     return bool(x.is_Pow and x.exp.is_Integer and x.exp < 0)
 
 
-def _balanced(parts: list[Any], combine: Callable[[Any, Any], Any]) -> Any:
+def _balanced(parts: list[T], combine: Callable[[T, T], T]) -> T:
     """Combine parts in a balanced tree, so that large ones are combined last."""
     while len(parts) > 1:
         pairs = [combine(x, y) for x, y in zip(parts[::2], parts[1::2], strict=False)]
@@ -225,7 +233,7 @@ def _balanced(parts: list[Any], combine: Callable[[Any, Any], Any]) -> Any:
     return parts[0]
 
 
-def closed_form(ring: Ring, x: sympy.Expr) -> Any:
+def closed_form(ring: Ring[E], x: sympy.Expr) -> E:
     """Return a number without symbols as an element of a ring that holds rational numbers.
 
     Raises :class:`CoercionError` for other numbers.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cmp_to_key, lru_cache
-from typing import Any
 
 import flint
 
@@ -25,7 +24,7 @@ class IsolatedRoots:
         real = sorted((z for z in first if z.imag == 0), key=cmp_to_key(_order))
         upper = sorted((z for z in first if z.imag > 0), key=cmp_to_key(_order))
         self.real_count, self.count = len(real), len(real) + len(upper)
-        self._at: dict[int, list[Any]] = {START: real + upper}
+        self._at: dict[int, list[flint.acb]] = {START: real + upper}
 
     def _isolated(self, bits: int) -> list[flint.acb]:
         with precision(bits):

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import gcd
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -38,13 +38,14 @@ class Modular(ValueRing):
     ``integers`` is ℤ.
     """
 
+    order: int
     parse_limit = FINITE_LIMIT
 
     def __init__(self, integers: Ring, name: str, modulus: int, is_field: bool) -> None:
         self.integers, self.name = integers, name
         self.characteristic = self.order = self.modulus = modulus
         self.is_field = is_field
-        self.residue: Callable[[int], Any]  # of any int
+        self.residue: Callable[[int], flint.nmod | flint.fmpz_mod]  # of any int
         if modulus < WORD:
             self.residue = lambda x: flint.nmod(x % modulus, modulus)
         else:

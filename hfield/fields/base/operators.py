@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Self
 
 from hfield.errors import CoercionError
 from hfield.fields.base.coercion import rational, unwrap
@@ -23,7 +23,7 @@ class Element(PrintedBySympy):
 
     __slots__ = ("field",)
 
-    field: Any  # a ring, of a higher layer than this module
+    field: Ring
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"elements of {self.field} are immutable")

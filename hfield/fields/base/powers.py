@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from hfield.core.product import SupportsArithmetic
 from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
-    from hfield.fields.base.flint_types import AnyPolynomial
+    import sympy
+
+    from hfield.fields.base.flint_types import AnyPolynomial, Coefficient
 
 M = TypeVar("M", bound=SupportsArithmetic)
 
@@ -27,7 +29,7 @@ _OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
 _INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_stored")
 
 
-def bits(x: Any) -> int:
+def bits(x: object) -> int:
     """Return the approximate size in bits of a number, a polynomial, an element, or a sequence of these.
 
     >>> bits((2**100, 7))
@@ -41,7 +43,7 @@ def bits(x: Any) -> int:
         return sum(map(bits, x))
     if isinstance(x, Mapping):
         return sum(map(bits, x.values()))
-    if hasattr(x, "nbytes"):
+    if hasattr(x, "nbytes") and hasattr(x, "dtype") and hasattr(x, "flat"):
         return sum(map(bits, x.flat)) if x.dtype == object else 8 * int(x.nbytes)
     if type(x).__module__.startswith("flint"):
         return _flint_bits(x)
@@ -51,7 +53,7 @@ def bits(x: Any) -> int:
     return _symbolic_bits(x.expr) if hasattr(x, "expr") else 1
 
 
-def _flint_bits(x: Any) -> int:
+def _flint_bits(x: Coefficient | AnyPolynomial) -> int:
     if hasattr(x, "monoms"):
         exponents = sum(int(n).bit_length() for exponents in x.monoms() for n in exponents)
         return exponents + _bits_of_alike(x.coeffs())
@@ -63,7 +65,7 @@ def _flint_bits(x: Any) -> int:
     return _bits_of_alike([x])
 
 
-def _bits_of_alike(numbers: list[Any]) -> int:
+def _bits_of_alike(numbers: list[Coefficient]) -> int:
     """Return the bits of numbers of one type of flint's; elements of a finite ring count 1 each."""
     if numbers and isinstance(numbers[0], int):
         return sum(map(int.bit_length, numbers))
@@ -74,7 +76,7 @@ def _bits_of_alike(numbers: list[Any]) -> int:
     return len(numbers)
 
 
-def _symbolic_bits(expr: Any) -> int:
+def _symbolic_bits(expr: sympy.Expr) -> int:
     from sympy import preorder_traversal
 
     parts = list(preorder_traversal(expr))

@@ -16,7 +16,8 @@ from hfield.errors import UndecidedError
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.base.ring import Ring
+    from hfield.fields.base.ring import E, Ring
+    from hfield.fields.quadratic_forms.global_field import GlobalField
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Theory:
     ``read`` returns the field that a text without spaces names, or None; :func:`hfield.ring` calls it.
     """
 
-    arithmetic: Callable[[], Any]
+    arithmetic: Callable[[], type[GlobalField]]
     completion: Callable[[Any, object], Ring] | None = None
     read: Callable[[str], Ring | None] | None = None
 
@@ -39,7 +40,7 @@ class FieldFunctions(Protocol):
     def rational_functions(self, base: Ring, variable: str) -> Ring:
         """Return the field of rational functions in one variable over a field."""
 
-    def cosine_and_sine(self, ring: Ring, angle: object, parts: int) -> tuple[Any, Any]:
+    def cosine_and_sine(self, ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
         """Return cosine and sine of an angle, divided into equal parts, as elements of the ring."""
 
     def rational_number(self, x: sympy.Expr) -> object | None:

@@ -45,6 +45,8 @@ else:
     E = TypeVar("E")  # an element of a ring
 
 R = TypeVar("R", bound="Ring")
+S = TypeVar("S", bound=Scalar)  # an element of another ring
+T = TypeVar("T")
 
 INFINITY = float("inf")
 ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
@@ -55,7 +57,7 @@ FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers tak
 class Fact:
     """A fact about a ring with its reason; ``value`` is None if it is not known."""
 
-    value: Any
+    value: float | None
     reason: str
 
     def __str__(self) -> str:
@@ -71,8 +73,16 @@ class WithIntegers(Protocol):
     def degree(self) -> int:
         """The degree over ℚ."""
 
-    def integral_basis(self) -> Sequence[Any]:
+    def integral_basis(self) -> Sequence[Scalar]:
         """Return a basis over ℤ of the integers, 1 first."""
+
+
+class WithData(Protocol):
+    """A place of a field that has a form as JSON data."""
+
+    @property
+    def data(self) -> dict[str, object]:
+        """The place as JSON data."""
 
 
 class Core(ABC, Generic[E]):
@@ -234,7 +244,7 @@ class Named(Core[E]):
         return self.name
 
     @property
-    def data(self) -> dict[str, Any] | None:
+    def data(self) -> dict[str, object] | None:
         """The ring as JSON data in certificates (docs/reference/certificates.md); None where it has none."""
         return None
 
@@ -280,25 +290,6 @@ class Named(Core[E]):
         """Return the generator in sympy if it has this minimal polynomial, low degree first, or None."""
         return None
 
-    def foreign(self, x: object) -> E:
-        """Return the element that an object of sympy is. Raises :class:`CoercionError`, also for all else."""
-        from hfield.fields.base.from_sympy import is_of_sympy, read_foreign
-
-        if not is_of_sympy(x):
-            raise self.refuse(x)
-        value: E = read_foreign(self, x)  # type: ignore[arg-type]  # all rings are of the class Ring
-        return value
-
-    def closed_form(self, x: sympy.Expr) -> E:
-        """Return the element that a number of sympy is, such as sqrt(2), which is not written as a rational.
-
-        Raises :class:`CoercionError` where the ring does not hold it.
-        """
-        from hfield.fields.base.from_sympy import closed_form
-
-        value: E = closed_form(self, x)  # type: ignore[arg-type]  # as above
-        return value
-
     def function_of_symbols(self, x: sympy.Expr, read: Callable[[sympy.Expr], E]) -> E | None:
         """Return a function of symbols, such as cos(t), as an element, or None where the ring has none."""
         return None
@@ -339,11 +330,13 @@ class Enumerated(Core[E]):
         return self(rng.randint(-9, 9))
 
 
-def _of_numbers_too(method: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+def _of_numbers_too(
+    method: Callable[[Core[E], E], T],
+) -> Callable[[Core[E], E | int | Fraction | str], T]:
     """Return a method of elements that takes what the ring reads too: ints, Fractions and texts."""
 
     @wraps(method)
-    def of_value(self: Core[Any], x: Any) -> Any:
+    def of_value(self: Core[E], x: E | int | Fraction | str) -> T:
         return method(self, self(x) if isinstance(x, int | Fraction | str) else x)
 
     return of_value
@@ -459,14 +452,14 @@ class WithRelatives(Core[E]):
         return None
 
     @property
-    def residues_of(self) -> tuple[Ring, Any] | None:
+    def residues_of(self) -> tuple[Ring, Scalar] | None:
         """The Euclidean ring R and the m for which this is R/m, None for any other ring.
 
         :meth:`lift` then gives an element of R for each of this ring.
         """
         return None
 
-    def lift(self, x: E) -> Any:
+    def lift(self, x: E) -> Scalar:
         """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
         raise UndecidedError(f"{self.name} is not known as a ring of residues")
 
@@ -475,18 +468,18 @@ class WithRelatives(Core[E]):
         """The ring k of constants of k(x) and k[x, …], None for any other ring."""
         return None
 
-    def as_constant(self, x: E) -> Any:
+    def as_constant(self, x: E) -> Scalar | None:
         """Return the element of the ring of constants that x is, or None."""
         return None
 
-    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+    def embed_from(self, source: Ring[S]) -> Callable[[S], E] | None:
         """Return the map of a ring into this one, or None if elements are to be mapped by their texts.
 
         Raises :class:`CoercionError` where there is no map.
         """
         return None
 
-    def images_in(self, target: Ring) -> dict[str, Any]:
+    def images_in(self, target: Ring[S]) -> dict[str, S]:
         """Return the images of this ring's generators in another ring, where their names do not determine
         them.
 
@@ -498,20 +491,20 @@ class WithRelatives(Core[E]):
 class WithArrays(Core[E]):
     """Arrays of elements."""
 
-    def array(self, values: object) -> Any:
+    def array(self, values: object) -> np.ndarray:
         """Turn an element, a sequence or an array into an array that computes elementwise."""
         from hfield.fields.base.arrays import objects
 
         return objects(values, self)
 
-    def array_inverse(self, values: Any) -> Any:
+    def array_inverse(self, values: np.ndarray) -> np.ndarray:
         """Invert an array of units elementwise; the caller has checked that they are units."""
         import numpy as np
 
         inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
         return self.array(inverses).reshape(values.shape)
 
-    def array_units(self, values: Any) -> np.ndarray:
+    def array_units(self, values: np.ndarray) -> np.ndarray:
         """Return a bool array that marks the units."""
         import numpy as np
 
@@ -539,7 +532,7 @@ class WithVariables(Core[E]):
         """The ring in which elements lie when every variable has a value there; None without variables."""
         return None
 
-    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+    def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
         """Return what the variables become in the target for values of some of them; the rest stay.
 
         Raises :class:`CoercionError` for what the target does not read.
@@ -549,24 +542,16 @@ class WithVariables(Core[E]):
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[E], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Callable[[Ring, Ring[S]], Callable[[Any], S]],
+    ) -> Callable[[E], S]:
         """Return the homomorphism into a ring that maps the variables to these images.
 
         ``below`` returns the map of a ring of constants into another one. The homomorphism raises
         :class:`NotInvertibleError` at poles.
         """
         raise CoercionError(f"{self} has no variables")
-
-    def cosine_and_sine_of(self, angle: object, parts: int = 1) -> tuple[E, E]:
-        """Return cosine and sine of an angle, such as ``"2*t + pi/3"``, that is divided into equal parts.
-
-        Raises :class:`CoercionError` where the ring does not have them.
-        """
-        ring: Any = self  # all rings are of the class Ring
-        return REGISTRY.functions.cosine_and_sine(ring, angle, parts)
 
     def derivative(self, x: E, variable: str) -> E:
         """Return the derivative of x by a variable. Raises :class:`CoercionError` for another name."""
@@ -599,25 +584,9 @@ class WithPlaces(Core[E]):
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 
-    def place_data(self, place: Any) -> dict[str, Any]:
+    def place_data(self, place: WithData) -> dict[str, object]:
         """Return a place of the field as JSON data."""
-        found: dict[str, Any] = place.data
-        return found
-
-    def completion(self, place: object) -> Ring:
-        """Return the completion of a global field at a place, or at its text.
-
-        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
-        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
-        elements of the field in it. Raises :class:`RingError` for a place of another field,
-        :class:`UndecidedError` where there are no places.
-
-        >>> from hfield import ring
-        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
-        (Qp(5), QQ(I)_(5, I-2), RR)
-        """
-        ring: Any = self  # all rings are of the class Ring
-        return REGISTRY.completion(ring, place)
+        return place.data
 
 
 class Ring(
@@ -637,6 +606,44 @@ class Ring(
     >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
     (True, 9, 'x')
     """
+
+    def foreign(self, x: object) -> E:
+        """Return the element that an object of sympy is. Raises :class:`CoercionError`, also for all else."""
+        from hfield.fields.base.from_sympy import is_of_sympy, read_foreign
+
+        if not is_of_sympy(x):
+            raise self.refuse(x)
+        return read_foreign(self, x)
+
+    def closed_form(self, x: sympy.Expr) -> E:
+        """Return the element that a number of sympy is, such as sqrt(2), which is not written as a rational.
+
+        Raises :class:`CoercionError` where the ring does not hold it.
+        """
+        from hfield.fields.base.from_sympy import closed_form
+
+        return closed_form(self, x)
+
+    def cosine_and_sine_of(self, angle: object, parts: int = 1) -> tuple[E, E]:
+        """Return cosine and sine of an angle, such as ``"2*t + pi/3"``, that is divided into equal parts.
+
+        Raises :class:`CoercionError` where the ring does not have them.
+        """
+        return REGISTRY.functions.cosine_and_sine(self, angle, parts)
+
+    def completion(self, place: object) -> Ring:
+        """Return the completion of a global field at a place, or at its text.
+
+        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
+        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
+        elements of the field in it. Raises :class:`RingError` for a place of another field,
+        :class:`UndecidedError` where there are no places.
+
+        >>> from hfield import ring
+        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
+        (Qp(5), QQ(I)_(5, I-2), RR)
+        """
+        return REGISTRY.completion(self, place)
 
     def storage(self, constants: Constants) -> Storage:
         """Return the storage of elements of the algebra with these constants; by default of tuples."""

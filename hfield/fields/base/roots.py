@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, product, zip_longest
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.core.factorisation import factor, remove
-from hfield.core.product import Scalar
+from hfield.core.product import S, Scalar
 from hfield.errors import UndecidedError
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ def _power_roots(c: list[int], p: int, k: int) -> list[int]:
         above = q * p
         lifted: list[int] = []
         for r in roots:
-            value, slope = horner(c, r) // q % p, horner(derivative, r) % p
+            value, slope = horner(c, r, 0) // q % p, horner(derivative, r, 0) % p
             if slope:  # Hensel: one root above
                 lifted.append((r - value * pow(slope, -1, p) * q) % above)
             elif value == 0:  # all p numbers above, or none
@@ -104,7 +104,7 @@ def _power_roots(c: list[int], p: int, k: int) -> list[int]:
     return roots
 
 
-def horner(coefficients: Sequence[Any], x: Any, zero: Any = 0) -> Any:
+def horner(coefficients: Sequence[S], x: S, zero: S) -> S:
     """Return Σ cₙ·xⁿ, for coefficients from low to high."""
     total = zero
     for c in reversed(coefficients):

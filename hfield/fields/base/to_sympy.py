@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -23,14 +23,14 @@ def symbol(name: str, symbols: Symbols) -> sympy.Symbol:
     return symbols.get(name) or sympy.Symbol(name)
 
 
-def polynomial_in(x: sympy.Expr, coefficients: Iterable[Any]) -> sympy.Expr:
+def polynomial_in(x: sympy.Expr, coefficients: Iterable[sympy.Expr | int]) -> sympy.Expr:
     """Return Σ cₙ·xⁿ as an expression, for coefficients from low to high."""
     import sympy
 
     return sympy.Add(*(c * x**n for n, c in enumerate(coefficients)))
 
 
-def scalar_to_sympy(x: Any, symbols: Symbols) -> sympy.Expr:
+def scalar_to_sympy(x: object, symbols: Symbols) -> sympy.Expr:
     """Return an element of a ring as an expression. Raises :class:`CoercionError` for another value."""
     import sympy
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import galois
 import numpy as np
@@ -10,8 +10,9 @@ import numpy as np
 from hfield.compiling.machine_code import available, lock
 from hfield.errors import CoercionError
 from hfield.fields.base.array_storage.finite import primitive
-from hfield.fields.base.array_storage.labels import check_galois, labels
+from hfield.fields.base.array_storage.labels import check_galois, is_extension, labels
 from hfield.fields.base.arrays import Objects, objects
+from hfield.fields.base.foreign_values import is_galois
 from hfield.fields.base.ring import Ring
 
 if TYPE_CHECKING:
@@ -21,10 +22,10 @@ if TYPE_CHECKING:
 
 GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
 TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
-_classes: dict[Any, Any] = {}
+_classes: dict[FiniteField, type[galois.FieldArray]] = {}
 
 
-def field_class(F: Any) -> galois.FieldArray | None:
+def field_class(F: FiniteField) -> type[galois.FieldArray] | None:
     """Return galois's array class for the finite field F, with F's modulus; None if F is too large."""
     if F.order >= GALOIS_BELOW:
         return None
@@ -39,16 +40,16 @@ def field_class(F: Any) -> galois.FieldArray | None:
     return found
 
 
-def _made_class(F: Any) -> galois.FieldArray:
+def _made_class(F: FiniteField) -> type[galois.FieldArray]:
     # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
     # Without numba's compiler galois has its own way to do that.
-    options: dict[str, Any] = {"compile": "python-calculate" if available() else "auto"}
+    options: dict[str, object] = {"compile": "python-calculate" if available() else "auto"}
     subfield = galois.GF(F.characteristic, **options)
-    if F.degree > 1:
+    if is_extension(F):
         # With a primitive element given, galois does not search for one, which may take seconds.
         poly = galois.Poly(F.coefficients[::-1], field=subfield)
         options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
-    cls = galois.GF(F.order, **options)
+    cls: type[galois.FieldArray] = galois.GF(F.order, **options)
     for made in (subfield, cls):
         made.compile("auto" if made.order < TABLES_BELOW else "jit-calculate")
     if cls.ufunc_mode == "jit-lookup":
@@ -57,7 +58,7 @@ def _made_class(F: Any) -> galois.FieldArray:
     return cls
 
 
-def array(F: FiniteField, values: object) -> Any:
+def array(F: FiniteField, values: object) -> np.ndarray:
     """Turn an element, a nested sequence or an array into an array over F, keeping its shape.
 
     Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
@@ -69,7 +70,7 @@ def array(F: FiniteField, values: object) -> Any:
     return of_labels(F, labels(F, values, cls.dtypes[0].__name__))
 
 
-def of_labels(F: FiniteField, row: np.ndarray) -> Any:
+def of_labels(F: FiniteField, row: np.ndarray) -> np.ndarray:
     """Return labels as an array over F, without a copy where galois takes their type."""
     cls = field_class(F)
     if cls is None:
@@ -91,21 +92,22 @@ def scalar(F: FiniteField, x: object) -> Coefficient:
     """Turn an entry of an array over F into an element."""
     if isinstance(x, Objects):
         return x[()]
-    return from_galois(F, x) if hasattr(type(x), "irreducible_poly") else x
+    return from_galois(F, x) if is_galois(x) else x
 
 
-def units(F: FiniteField, values: Objects) -> np.ndarray:
+def units(F: FiniteField, values: np.ndarray) -> np.ndarray:
     """Return a bool array: which entries are not 0."""
     if isinstance(values, Objects):
         return Ring.array_units(F, values)
     return np.asarray(values.view(np.ndarray) != 0)
 
 
-def inverse(F: FiniteField, values: Objects) -> Any:
+def inverse(F: FiniteField, values: np.ndarray) -> np.ndarray:
     """Invert an array of nonzero entries elementwise."""
     if isinstance(values, Objects):
         return Ring.array_inverse(F, values)
-    return np.reciprocal(values)
+    inverses: np.ndarray = np.reciprocal(values)
+    return inverses
 
 
 def conway(p: int, n: int) -> list[int] | None:

@@ -7,13 +7,14 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
 from hfield.fields.base.coercion import rational, unwrap
+from hfield.fields.base.foreign_values import is_galois
 from hfield.fields.base.modular import Modular
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import FINITE_LIMIT, Fact, Ring, shared
@@ -24,11 +25,9 @@ from hfield.fields.finite.storage import PolynomialStorage
 from hfield.fields.rationals.ring import ZZ
 
 if TYPE_CHECKING:
-    import galois
     import numpy as np
     import sympy
 
-    from hfield.fields.base.arrays import Objects
     from hfield.fields.base.flint_types import Coefficient
 
 
@@ -51,7 +50,7 @@ class FiniteField(Ring):
         return f"the finite field of {shorten(self.order)} elements"
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by its characteristic and degree."""
         own = {"characteristic": self.characteristic, "degree": self.degree}
         return {"kind": "finite field", **own, "modulus": None}
@@ -64,13 +63,17 @@ class FiniteField(Ring):
     def from_label(self, n: int) -> Coefficient:
         """Return the element with galois's integer label n."""
 
-    def array(self, values: object) -> Any:
+    def array(self, values: object) -> np.ndarray:
         """Return an array of galois, or of flint's elements if the field is too large for galois."""
-        return _arrays().array(self, values)
+        from hfield.fields.finite import galois_arrays
 
-    def array_of_labels(self, row: np.ndarray) -> galois.FieldArray:
+        return galois_arrays.array(self, values)
+
+    def array_of_labels(self, row: np.ndarray) -> np.ndarray:
         """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
-        return _arrays().of_labels(self, row)
+        from hfield.fields.finite import galois_arrays
+
+        return galois_arrays.of_labels(self, row)
 
     def array_storage(self, constants: Constants) -> BatchStorage:
         """Store arrays as rows of labels, unless the field is too large."""
@@ -80,15 +83,21 @@ class FiniteField(Ring):
 
     def scalar(self, x: object) -> Coefficient:
         """Turn an entry of ``array`` back into an element."""
-        return _arrays().scalar(self, x)
+        from hfield.fields.finite import galois_arrays
 
-    def array_units(self, values: Objects) -> Any:
+        return galois_arrays.scalar(self, x)
+
+    def array_units(self, values: np.ndarray) -> np.ndarray:
         """Return a bool array: which entries are not 0."""
-        return _arrays().units(self, values)
+        from hfield.fields.finite import galois_arrays
 
-    def array_inverse(self, values: Objects) -> Any:
+        return galois_arrays.units(self, values)
+
+    def array_inverse(self, values: np.ndarray) -> np.ndarray:
         """Invert an array of nonzero entries elementwise."""
-        return _arrays().inverse(self, values)
+        from hfield.fields.finite import galois_arrays
+
+        return galois_arrays.inverse(self, values)
 
 
 class PrimeField(Modular, FiniteField):
@@ -105,7 +114,9 @@ class PrimeField(Modular, FiniteField):
     def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
         """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar."""
         if is_galois(x):
-            return _arrays().from_galois(self, x)
+            from hfield.fields.finite import galois_arrays
+
+            return galois_arrays.from_galois(self, x)
         return super().__call__(x)
 
 
@@ -139,7 +150,7 @@ class ExtensionField(FiniteField):
         return shared, (type(self), self.characteristic, self.degree, *modulus)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by its modulus; a default one that the checker has no table of is not written."""
         from hfield.checker.scalars.conway import CONWAY
 
@@ -157,7 +168,9 @@ class ExtensionField(FiniteField):
             return "given"
         if self.order < CONWAY_BELOW:
             return "Conway"
-        conway = _arrays().conway(self.characteristic, self.degree)
+        from hfield.fields.finite import galois_arrays
+
+        conway = galois_arrays.conway(self.characteristic, self.degree)
         return "Conway" if conway == self.coefficients else "sparse"
 
     @property
@@ -171,7 +184,9 @@ class ExtensionField(FiniteField):
         Raises :class:`CoercionError` for an element of another field or of another modulus.
         """
         if is_galois(x):
-            return _arrays().from_galois(self, x)
+            from hfield.fields.finite import galois_arrays
+
+            return galois_arrays.from_galois(self, x)
         x = unwrap(x)
         if isinstance(x, flint.fq_default):
             # Adding is how flint tells whose element it is: an element has no public parent.
@@ -294,15 +309,3 @@ def modulus_text(coefficients: list[int], style: str = "plain") -> str:
     """Write a polynomial in x with coefficients given low degree first."""
     terms = [(str(c), [(NAME, n)]) for n, c in enumerate(coefficients) if c]
     return sum_text(reversed(terms), style)
-
-
-def is_galois(x: object) -> bool:
-    """Return whether x is a galois array or scalar, without importing galois."""
-    return hasattr(type(x), "irreducible_poly")
-
-
-def _arrays() -> Any:
-    """Import galois, which only arrays need."""
-    from hfield.fields.finite import galois_arrays
-
-    return galois_arrays

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants
 from hfield.fields.base.residue_polynomials import polynomials_modulo
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from hfield.fields.finite.ring import ExtensionField
 
 
-class PolynomialStorage(Quotients):
+class PolynomialStorage(Quotients["Polynomial"]):
     """Elements over GF(pⁿ) as four polynomials of degree below n."""
 
     reduces_sums = False  # their degrees are small enough
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
         p = ring.characteristic
-        polynomial: Any = polynomials_modulo(p)
+        polynomial = polynomials_modulo(p)
         f = polynomial(ring.coefficients)
 
         def invert(s: Polynomial) -> Polynomial:
@@ -38,13 +38,13 @@ class PolynomialStorage(Quotients):
             project=ring.context,
             invert=invert,
         )
-        self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
+        self._constant: Callable[[int], Polynomial] = lambda n: polynomial([n % p])
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives[Polynomial]:
         """Encode four ints."""
         c = self._constant
         return c(w), c(x), c(y), c(z)
 
-    def key(self, p: Representatives) -> tuple[tuple[int, ...], ...]:
+    def key(self, p: Representatives[Polynomial]) -> tuple[tuple[int, ...], ...]:
         """Return the coefficients."""
         return tuple(tuple(map(int, c.coeffs())) for c in p)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
@@ -34,7 +34,7 @@ class ElementTables:
     minus: Rows
     negative: list[int]
     inverse: list[int]
-    elements: list[Any]
+    elements: list[flint.fq_default]
 
 
 def tables(field: ExtensionField) -> ElementTables:
@@ -69,7 +69,7 @@ def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int
     raise AssertionError("the multiplicative group of a finite field is cyclic")
 
 
-class Labels(Compact[LabelTuple]):
+class Labels(Compact[LabelTuple, "flint.fq_default"]):
     """Storage of elements over a small GF(pⁿ) as four labels, with tables of products and sums."""
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:

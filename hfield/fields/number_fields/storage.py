@@ -6,20 +6,25 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import flint
 
-from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
 from hfield.fields.base.roots import integral
-from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
+from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage
 from hfield.fields.base.storage.compact import Compact
 from hfield.fields.base.storage.fractions import FractionStorage
 from hfield.fields.number_fields.elements import FieldElement
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
+
+Polynomials: TypeAlias = tuple[
+    flint.fmpz_poly, flint.fmpz_poly, flint.fmpz_poly, flint.fmpz_poly, int
+]
+"""The numerators of w, x, y, z, and the denominator."""
 
 UNROLLED = 3  # up to this degree, the product is written out in ints
 
@@ -34,7 +39,7 @@ def storage(field: NumberField, constants: Constants) -> Compact:
     def vector(x: FieldElement) -> tuple[flint.fmpq, ...]:
         return tuple(x.poly[k] / c for k, c in enumerate(powers))
 
-    def element(*parts: Any) -> FieldElement:
+    def element(*parts: int) -> FieldElement:
         numerators, d = parts[: field.degree], parts[field.degree :]
         scaled = [n * c for n, c in zip(numerators, powers, strict=True)]
         return FieldElement(field, flint.fmpq_poly(scaled, *d))
@@ -43,7 +48,7 @@ def storage(field: NumberField, constants: Constants) -> Compact:
     return FractionStorage(field, constants, tuple(relation), vector, element)
 
 
-class IntegralPolynomials(CommonDenominatorStorage):
+class IntegralPolynomials(CommonDenominatorStorage[Polynomials, FieldElement]):
     """Elements over ℚ(s) as four polynomials in c·s, an algebraic integer, over one denominator."""
 
     relation = ("0",)
@@ -70,7 +75,7 @@ class IntegralPolynomials(CommonDenominatorStorage):
         poly = flint.fmpq_poly(numerator % self._modulus, denominator)
         return FieldElement(self._field, poly if self._scale == 1 else poly(self._back))
 
-    def encode(self, coordinates: Coordinates) -> FractionTuple:
+    def encode(self, coordinates: Coordinates) -> Polynomials:
         """Return the element with these coordinates in the field."""
         scales = 1, self._m, self._k, self._m * self._k
         every = [self._polynomial(c) / s for c, s in zip(coordinates, scales, strict=True)]
@@ -78,25 +83,25 @@ class IntegralPolynomials(CommonDenominatorStorage):
         w, x, y, z = (c.numer() * (d // int(c.denom())) for c in every)
         return self._lowest(w, x, y, z, d)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> FractionTuple:
+    def whole(self, w: int, x: int, y: int, z: int) -> Polynomials:
         """Encode four ints."""
         if self._m != 1 or self._k != 1:
-            stored: FractionTuple = super().whole(w, x, y, z)
+            stored: Polynomials = super().whole(w, x, y, z)
             return stored
         return (*(flint.fmpz_poly([c]) for c in (w, x, y, z)), 1)
 
-    def scalar(self, s: Scalar) -> FractionTuple:
+    def scalar(self, s: FieldElement) -> Polynomials:
         """Encode s·e for an element s of the field."""
         zero = flint.fmpz_poly()
         numerator, d = self.fraction(s)
         return numerator, zero, zero, zero, d
 
-    def fraction(self, s: Any) -> tuple[Any, int]:
+    def fraction(self, s: FieldElement) -> tuple[flint.fmpz_poly, int]:
         """Return s as a polynomial in c·s over ℤ, and its denominator."""
         poly = self._polynomial(s)
         return poly.numer(), int(poly.denom())
 
-    def coordinates(self, stored: FractionTuple) -> Coordinates:
+    def coordinates(self, stored: Polynomials) -> Coordinates:
         """Return the four coordinates, elements of the field."""
         w, x, y, z, d = stored
         m, k, element = self._m, self._k, self._element
@@ -114,7 +119,7 @@ class IntegralPolynomials(CommonDenominatorStorage):
 
     def _lowest(
         self, w: flint.fmpz_poly, x: flint.fmpz_poly, y: flint.fmpz_poly, z: flint.fmpz_poly, d: int
-    ) -> FractionTuple:
+    ) -> Polynomials:
         g = d
         for f in (w, x, y, z):
             if g == 1:
@@ -128,6 +133,6 @@ class IntegralPolynomials(CommonDenominatorStorage):
             return "def inverse(p):\n    return by_norm(p)"
         return super().source(operation)
 
-    def key(self, p: FractionTuple) -> tuple[Hashable, ...]:
+    def key(self, p: Polynomials) -> tuple[Hashable, ...]:
         """Return the coefficients and the denominator."""
         return (*(tuple(map(int, f.coeffs())) for f in p[:4]), p[4])

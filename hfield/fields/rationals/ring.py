@@ -255,7 +255,7 @@ class Residues(Modular):
         """The ring by its modulus."""
         return {"kind": "residues", "modulus": self.modulus}
 
-    def array_of_labels(self, row: np.ndarray) -> Any:
+    def array_of_labels(self, row: np.ndarray) -> np.ndarray:
         """Return an array of residues as ``array`` returns arrays."""
         from hfield.fields.base.arrays import objects
 

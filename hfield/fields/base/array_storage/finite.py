@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
@@ -20,10 +20,15 @@ from hfield.compiling.calling import ArrayProgram
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants
 from hfield.fields.base.array_storage import programs
-from hfield.fields.base.array_storage.labels import LabelArrays
+from hfield.fields.base.array_storage.labels import LabelArrays, has_labels, is_extension
 from hfield.fields.base.array_storage.object_arrays import ObjectArrays
 from hfield.fields.base.array_storage.rows import Row
 from hfield.fields.base.storage.base import BatchStorage
+
+if TYPE_CHECKING:
+    from hfield.fields.base.array_storage.labels import LabelledRing
+    from hfield.fields.base.ring import Ring
+    from hfield.fields.finite.ring import FiniteField
 
 WORD = 1 << 32  # the largest modulus whose residues multiply in one word
 BITS = 64  # the largest degree over GF(2) whose elements do
@@ -32,7 +37,7 @@ LOGARITHMS_UP_TO = 1 << 16  # elements: beyond, tables leave the caches
 POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
 
 
-def array_storage(ring: Any, constants: Constants) -> BatchStorage:
+def array_storage(ring: LabelledRing, constants: Constants) -> BatchStorage:
     """Return the storage of arrays over ℤ/n or a finite field: as labels where an arithmetic serves them."""
     arithmetic = arithmetic_of(ring)
     if arithmetic is not None:
@@ -40,12 +45,12 @@ def array_storage(ring: Any, constants: Constants) -> BatchStorage:
     return ObjectArrays(ring, constants)
 
 
-def arithmetic_of(ring: Any) -> Arithmetic | None:
+def arithmetic_of(ring: LabelledRing) -> Arithmetic | None:
     """Return the arithmetic of the labels of a finite ring, or None where it is too large."""
-    q, p, n = ring.order, ring.characteristic, getattr(ring, "degree", 1)
-    if n == 1:
+    q, p = ring.order, ring.characteristic
+    if not is_extension(ring):
         return ResidueArithmetic.modulo(q) if q <= WORD else None
-    coefficients = tuple(ring.coefficients)
+    n, coefficients = ring.degree, tuple(ring.coefficients)
     if q <= ORDER and machine_code.available() and machine_code.processor_has(PROCESSOR):
         kind = BinaryRegisterField if p == 2 else RegisterField
         return kind(p, coefficients, primitive(ring))
@@ -60,7 +65,7 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     return None
 
 
-def primitive(F: Any) -> int:
+def primitive(F: FiniteField) -> int:
     """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; x itself if it is one."""
     primes = factorise(F.order - 1)
     for label in range(F.characteristic, F.order):
@@ -85,9 +90,9 @@ class ScalarArrays:
         return self._kernels[operation](*((row,) for row in rows))[0][0]
 
 
-def scalar_arrays(ring: Any) -> ScalarArrays | None:
+def scalar_arrays(ring: Ring) -> ScalarArrays | None:
     """Return the arithmetic of arrays over a finite ring with labels; None where no loop serves it."""
-    if not hasattr(ring, "label") or not machine_code.available():
+    if not has_labels(ring) or not machine_code.available():
         return None
     arithmetic = arithmetic_of(ring)
     return None if arithmetic is None else ScalarArrays(arithmetic)

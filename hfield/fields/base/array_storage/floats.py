@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import EllipsisType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
     from hfield.fields.base.ring import Ring
 
-Block = np.ndarray[Any, np.dtype[Any]]
+Block = np.ndarray
 MIN_COMPILED = 1000  # quaternions from which on a loop is compiled for them
 
 
@@ -61,7 +61,7 @@ class FloatArrays(BatchStorage[Block]):
         (w, x, y, z), _ = self.kernel(name)(*map(rows_of, operands))
         return self.encode((w, x, y, z))
 
-    def norm(self, p: Block, /) -> Any:
+    def norm(self, p: Block, /) -> np.ndarray:
         """Return the norms, of many elements in a compiled loop."""
         if not self._compiles(p[0].size):
             return super().norm(p)

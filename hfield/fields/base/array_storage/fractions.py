@@ -6,7 +6,7 @@ The basis is scaled as that of a single element is, so that the structure consta
 from __future__ import annotations
 
 from math import lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 import numpy as np
@@ -85,15 +85,15 @@ class FractionArrays(WordArrays):
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def norm(self, p: Rows) -> Any:
+    def norm(self, p: Rows) -> np.ndarray:
         """Return the reduced norms, an array of flint's rational numbers."""
         return self._ratios("norm", p, 2)
 
-    def trace(self, p: Rows) -> Any:
+    def trace(self, p: Rows) -> np.ndarray:
         """Return the reduced traces, an array of flint's rational numbers."""
         return self._ratios("trace", p, 1)
 
-    def _ratios(self, name: str, p: Rows, power: int) -> Any:
+    def _ratios(self, name: str, p: Rows, power: int) -> np.ndarray:
         rows = self.in_words(name, p)
         if rows is None:
             return self.by_arrays(name, p)
@@ -110,7 +110,7 @@ class FractionArrays(WordArrays):
             rows = super().in_words("inverse", rows, (p[4],))
         if rows is not None and lowest(rows):
             return rows
-        found = self.by_arrays("inverse", p)
+        found = self.plain.inverse(self.values(p))
         return None if found is None else self.packed(found)
 
     def units(self, p: Rows) -> np.ndarray:

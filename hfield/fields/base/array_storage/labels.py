@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias, TypeGuard
 
 import numpy as np
 
@@ -19,11 +19,16 @@ from hfield.fields.base.array_storage import programs
 from hfield.fields.base.array_storage.rows import Row, RowArrays, inverses
 from hfield.fields.base.arrays import objects
 from hfield.fields.base.coercion import is_plain_array
+from hfield.fields.base.foreign_values import is_galois
 
 if TYPE_CHECKING:
     import galois
 
     from hfield.fields.base.ring import Ring
+    from hfield.fields.finite.ring import ExtensionField, FiniteField
+    from hfield.fields.rationals.ring import Residues
+
+    LabelledRing: TypeAlias = FiniteField | Residues
 
 
 TABLE = 1 << 16  # rings up to this size have a table of their inverses
@@ -36,9 +41,9 @@ class LabelArrays(RowArrays):
     its labels.
     """
 
-    ring: Any
+    ring: LabelledRing
 
-    def __init__(self, ring: Ring, constants: Constants, arithmetic: Arithmetic) -> None:
+    def __init__(self, ring: LabelledRing, constants: Constants, arithmetic: Arithmetic) -> None:
         super().__init__(ring, constants)
         self.arithmetic = arithmetic
         self.dtype = arithmetic.dtype
@@ -51,7 +56,7 @@ class LabelArrays(RowArrays):
         """Return the labels of an element, a nested sequence or an array. Raises :class:`CoercionError`."""
         return labels(self.ring, values, self.dtype)
 
-    def ring_array(self, row: Row) -> galois.FieldArray:
+    def ring_array(self, row: Row) -> np.ndarray:
         """Return a row as an array of the ring: galois's, or one of objects."""
         return self.ring.array_of_labels(row)
 
@@ -102,19 +107,20 @@ class LabelArrays(RowArrays):
             return self.kernel(name)(*operands)[0]
         return self.encode(self.by_arrays(name, *operands))
 
-    def _run_scalar(self, name: str, p: Rows) -> Any:
+    def _run_scalar(self, name: str, p: Rows) -> np.ndarray:
         """Run a loop that returns an array of the ring."""
         if self.compiles:
             return self.ring_array(self.kernel(name)(p)[0][0])
-        return self.by_arrays(name, p)
+        found: np.ndarray = self.by_arrays(name, p)
+        return found
 
     # --- arithmetic ----------------------------------------------------------------------------
 
-    def norm(self, p: Rows) -> Any:
+    def norm(self, p: Rows) -> np.ndarray:
         """Return the reduced norms, an array of the ring."""
         return self._run_scalar("norm", p)
 
-    def trace(self, p: Rows) -> Any:
+    def trace(self, p: Rows) -> np.ndarray:
         """Return the reduced traces, an array of the ring."""
         return self._run_scalar("trace", p)
 
@@ -127,7 +133,7 @@ class LabelArrays(RowArrays):
     def inverse(self, p: Rows) -> Rows | None:
         """Return the inverses, or None where some norm is not a unit of the ring."""
         if not self.compiles:
-            found = self.by_arrays("inverse", p)
+            found = self.plain.inverse(self.coordinates(p))
             return None if found is None else self.encode(found)
         *conjugate, norms = self.kernel("adjoint")(p)[0]
         if not self._units(norms).all():
@@ -156,11 +162,13 @@ class LabelArrays(RowArrays):
         found = [F.label(F.inverse(F.from_label(int(n)))) for n in row]
         return np.array(found, dtype=self.dtype)
 
-    def _units(self, row: Row) -> Any:
+    def _units(self, row: Row) -> np.ndarray:
         """Return which labels are those of units."""
         if self.ring.is_field:
-            return row != 0
-        return np.logical_and.reduce([row % row.dtype.type(p) != 0 for p in self._primes])
+            return np.asarray(row != 0)
+        units: np.ndarray
+        units = np.logical_and.reduce([row % row.dtype.type(p) != 0 for p in self._primes])
+        return units
 
     @cached_property
     def _primes(self) -> tuple[int, ...]:
@@ -181,13 +189,23 @@ class LabelArrays(RowArrays):
             self.kernel(name).prepare()
 
 
-def labels(F: Any, values: Any, dtype: str) -> Row:
+def has_labels(ring: Ring) -> TypeGuard[LabelledRing]:
+    """Return whether the elements of a ring have labels."""
+    return hasattr(ring, "label")
+
+
+def is_extension(ring: Ring) -> TypeGuard[ExtensionField]:
+    """Return whether a ring with labels is a field GF(pⁿ), n > 1."""
+    return getattr(ring, "degree", 1) > 1
+
+
+def labels(F: LabelledRing, values: object, dtype: str) -> Row:
     """Return the labels of an element, a nested sequence or an array, in its shape.
 
     Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
     included, and is not copied where the types agree. Raises :class:`CoercionError`.
     """
-    if hasattr(type(values), "irreducible_poly"):
+    if is_galois(values):
         check_galois(F, values)
         return np.asarray(values.view(np.ndarray)).astype(dtype, copy=False)
     if is_plain_array(values) and values.dtype != object:
@@ -206,14 +224,14 @@ def labels(F: Any, values: Any, dtype: str) -> Row:
     return np.array(found, dtype=dtype).reshape(elements.shape)
 
 
-def check_galois(F: Any, values: galois.FieldArray) -> None:
+def check_galois(F: LabelledRing, values: galois.FieldArray) -> None:
     """Raise for values of galois over another field, or modulo another polynomial."""
     cls = type(values)
-    degree = getattr(F, "degree", 1)
+    degree, coefficients = (F.degree, F.coefficients) if is_extension(F) else (1, None)
     same = F.is_field and (cls.characteristic, cls.degree) == (F.characteristic, degree)
     modulus = [int(c) for c in cls.irreducible_poly.coeffs][::-1]
-    if not same or (degree > 1 and modulus != F.coefficients):
+    if not same or (coefficients is not None and modulus != coefficients):
         raise CoercionError(
             f"galois values of {cls.name} modulo {cls.irreducible_poly} are not of {F.name}"
-            + (f" modulo {shorten(F.modulus)}" if degree > 1 else "")
+            + (f" modulo {shorten(F.modulus)}" if is_extension(F) else "")
         )

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
     from hfield.fields.base.ring import Ring
 
-Values = np.ndarray[Any, np.dtype[Any]]
+Values = np.ndarray
 
 
 class ObjectArrays(BatchStorage[Values]):
@@ -55,7 +55,7 @@ class ObjectArrays(BatchStorage[Values]):
         w, x, y, z = map(self._of_the_ring, each(self.entries.coordinates, stored, results=4))
         return w, x, y, z
 
-    def _of_the_ring(self, elements: Values) -> Any:
+    def _of_the_ring(self, elements: Values) -> np.ndarray:
         """Return elements of the ring as an array of it."""
         return elements.view(Objects) if self._objects else self.ring.array(elements)
 
@@ -93,11 +93,11 @@ class ObjectArrays(BatchStorage[Values]):
         found = self.elementwise("inverse", p)
         return None if any(x is None for x in found.flat) else found
 
-    def norm(self, p: Values) -> Any:
+    def norm(self, p: Values) -> np.ndarray:
         """Return the reduced norms, an array of the ring."""
         return self._of_the_ring(self.elementwise("norm", p))
 
-    def trace(self, p: Values) -> Any:
+    def trace(self, p: Values) -> np.ndarray:
         """Return the reduced traces, an array of the ring."""
         return self._of_the_ring(self.elementwise("trace", p))
 
@@ -117,7 +117,9 @@ class ObjectArrays(BatchStorage[Values]):
         return self.elementwise("is_zero", p).astype(bool)
 
 
-def each(function: Callable[..., Any], *operands: Values, results: int = 1) -> tuple[Values, ...]:
+def each(
+    function: Callable[..., object], *operands: Values, results: int = 1
+) -> tuple[Values, ...]:
     """Return the arrays of a function's results on arrays of objects, which broadcast."""
     shape = np.broadcast_shapes(*(x.shape for x in operands))
     found = tuple(np.empty(shape, object) for _ in range(results))

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
     from hfield.fields.base.ring import Ring
 
-Row = np.ndarray[Any, np.dtype[Any]]
+Row = np.ndarray
 
 
 class RowArrays(BatchStorage[Rows]):
@@ -62,7 +62,7 @@ class RowArrays(BatchStorage[Rows]):
         """Return a row of what the ring reads. Raises :class:`CoercionError` as the ring does."""
         raise NotImplementedError
 
-    def ring_array(self, row: Row) -> Any:
+    def ring_array(self, row: Row) -> Row:
         """Return a row as an array of the ring."""
         raise NotImplementedError
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cached_property, partial
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -127,9 +127,10 @@ class WordArrays(RowArrays):
         """Return the rows of a block of words, numerators and denominators."""
         return rows_of(block)
 
-    def by_arrays(self, operation: str, *operands: Rows) -> Any:
+    def by_arrays(self, operation: str, *operands: Rows) -> np.ndarray:
         """Apply an operation to the stored values of single elements."""
-        return getattr(self.plain, operation)(*map(self.values, operands))
+        found: np.ndarray = getattr(self.plain, operation)(*map(self.values, operands))
+        return found
 
     def elementwise(self, name: str, *operands: Rows) -> Rows:
         """Run an operation on words, or on the stored values of single elements if words overflow."""
@@ -225,16 +226,16 @@ class WholeArrays(WordArrays):
         w, x, y, z = map(self.ring_array, rows)
         return (self.plain.encode((w, x, y, z)),)
 
-    def ring_array(self, row: Row) -> Any:
+    def ring_array(self, row: Row) -> np.ndarray:
         """Return a row as an array of flint's integers."""
         return row if row.dtype == object else objects(row, lambda n: self.ring(int(n)))
 
-    def norm(self, p: Rows) -> Any:
+    def norm(self, p: Rows) -> np.ndarray:
         """Return the reduced norms, an array of flint's integers."""
         rows = self.in_words("norm", p)
         return self.by_arrays("norm", p) if rows is None else self.ring_array(rows[0])
 
-    def trace(self, p: Rows) -> Any:
+    def trace(self, p: Rows) -> np.ndarray:
         """Return the reduced traces, an array of flint's integers."""
         rows = self.in_words("trace", p)
         return self.by_arrays("trace", p) if rows is None else self.ring_array(rows[0])
@@ -243,7 +244,7 @@ class WholeArrays(WordArrays):
         """Return the inverses, or None where some norm is neither 1 nor −1."""
         rows = self.in_words("adjoint", p)
         if rows is None:
-            found = self.by_arrays("inverse", p)
+            found = self.plain.inverse(self.values(p))
             return None if found is None else self.packed(found)
         *conjugate, norms = rows
         if not (np.abs(norms) == 1).all():

@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any, Generic
 
 from hfield.core import product
-from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates
 from hfield.errors import CoercionError
 from hfield.fields.base.powers import MAX_UNCHECKED_POWER, bits, check_growth
 
@@ -24,13 +24,15 @@ if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
     H = TypeVar("H", default=Any)  # ``Storage`` alone: of values that nobody checks
+    S = TypeVar("S", default=Any)
 else:
     from typing import TypeVar
 
     H = TypeVar("H")  # the type of a stored value
+    S = TypeVar("S")  # that of an element of the ring, or of an array of elements
 
 
-class Storage(Generic[H]):
+class Storage(Generic[H, S]):
     """Storage of elements over one ring with given structure constants, here as tuples of coordinates.
 
     A stored value stands for an element. It is immutable: no operation changes it. The operands of an
@@ -54,7 +56,7 @@ class Storage(Generic[H]):
         """Return the coordinates as elements of the ring: the library's own values."""
         return stored  # type: ignore[return-value]
 
-    def scalar(self, s: Scalar) -> H:
+    def scalar(self, s: S) -> H:
         """Encode s·e for an element s of the ring."""
         zero = self.ring.zero
         return self.encode((s, zero, zero, zero))
@@ -95,12 +97,12 @@ class Storage(Generic[H]):
         """Return the standard involution of p."""
         return self.encode(product.conjugate(self.constants, self.coordinates(p)))
 
-    def scaled(self, p: H, s: Scalar) -> H:
+    def scaled(self, p: H, s: S) -> H:
         """Return s·p for an element s of the ring."""
         w, x, y, z = self.coordinates(p)
         return self.encode((w * s, x * s, y * s, z * s))
 
-    def divided(self, p: H, s: Scalar) -> H | None:
+    def divided(self, p: H, s: S) -> H | None:
         """Return p/s, or None where s is not a unit of the ring."""
         return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
 
@@ -128,14 +130,14 @@ class Storage(Generic[H]):
 
     # --- elements to the ring ------------------------------------------------------------------
 
-    def norm(self, p: H, /) -> Scalar:
+    def norm(self, p: H, /) -> S:
         """Return the reduced norm, an element of the ring."""
-        norm: Scalar = product.norm(self.constants, self.coordinates(p))
+        norm: S = product.norm(self.constants, self.coordinates(p))
         return norm
 
-    def trace(self, p: H, /) -> Scalar:
+    def trace(self, p: H, /) -> S:
         """Return the reduced trace, an element of the ring."""
-        trace: Scalar = product.trace(self.constants, self.coordinates(p))
+        trace: S = product.trace(self.constants, self.coordinates(p))
         return trace
 
     # --- what is equal -------------------------------------------------------------------------
@@ -157,7 +159,7 @@ class Storage(Generic[H]):
         return tuple(map(self.ring.state, self.coordinates(p)))
 
 
-class BatchStorage(Storage[H]):
+class BatchStorage(Storage[H, "np.ndarray"]):
     """Storage of arrays of elements, here as four arrays of one shape that compute elementwise.
 
     A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Hashable
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from hfield.core.product import Scalar
 from hfield.core.straight_line import FIRST, SECOND, parts, specialise_extension
+from hfield.fields.base.storage.base import S
 from hfield.fields.base.storage.compact import Compact, function, statements
 
-FractionTuple = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
+FractionTuple: TypeAlias = tuple[Any, ...]
+"""The numerators of w, x, y, z, and the denominator last."""
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    T = TypeVar("T", bound=tuple[object, ...], default=FractionTuple)
+else:
+    from typing import TypeVar
+
+    T = TypeVar("T")  # the type of such a tuple
 
 
-class CommonDenominatorStorage(Compact[FractionTuple]):
+class CommonDenominatorStorage(Compact[T, S]):
     """Storage of elements as coordinates over a common denominator, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
@@ -31,7 +41,7 @@ class CommonDenominatorStorage(Compact[FractionTuple]):
     relation: tuple[str, ...]
 
     @abstractmethod
-    def fraction(self, s: Any) -> FractionTuple:
+    def fraction(self, s: S) -> tuple[object, ...]:
         """Return the numerators of an element of the ring over one denominator, in lowest terms."""
 
     @abstractmethod
@@ -84,21 +94,21 @@ class CommonDenominatorStorage(Compact[FractionTuple]):
         """
         return {"by_norm": self._by_norm}
 
-    def _by_norm(self, p: FractionTuple) -> FractionTuple | None:
+    def _by_norm(self, p: T) -> T | None:
         """Return the inverse through that of the norm in the ring."""
-        stored: FractionTuple | None = self.divided(self.conjugate(p), self.norm(p))
+        stored: T | None = self.divided(self.conjugate(p), self.norm(p))
         return stored
 
-    def scaled(self, p: FractionTuple, s: Scalar) -> FractionTuple:
+    def scaled(self, p: T, s: S) -> T:
         """Return s·p for an element s of the ring."""
-        stored: FractionTuple = self.multiple(p, self.fraction(s))
+        stored: T = self.multiple(p, self.fraction(s))
         return stored
 
-    def is_zero(self, p: FractionTuple) -> bool:
+    def is_zero(self, p: T) -> bool:
         """Return whether p = 0."""
         return all(c == 0 for c in p[:-1])
 
-    def key(self, p: FractionTuple) -> Hashable:
+    def key(self, p: T) -> Hashable:
         """Return p itself."""
         return p
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.core.product import Constants
 from hfield.core.straight_line import Program, arithmetic_text
 from hfield.errors import shorten
-from hfield.fields.base.storage.base import H, Storage
+from hfield.fields.base.storage.base import H, S, Storage
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +33,7 @@ MADE = (
 )
 
 
-class Compact(Storage[H]):
+class Compact(Storage[H, S]):
     """A storage whose operations are compiled from source text: :meth:`source` of each operation, read once.
 
     Algebras with the same constants among 0, 1 and −1 share the text and what Python compiled of it; all
@@ -45,12 +45,12 @@ class Compact(Storage[H]):
     conjugate: Callable[[H], H]
     difference: Callable[[H, H], H]
     inverse: Callable[[H], H | None]
-    multiple: Callable[[H, Any], H]
+    multiple: Callable[[H, tuple[object, ...]], H]
     negative: Callable[[H], H]
-    norm: Callable[[H], Any]
+    norm: Callable[[H], S]
     product: Callable[[H, H], H]
     sum: Callable[[H, H], H]
-    trace: Callable[[H], Any]
+    trace: Callable[[H], S]
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -92,7 +92,7 @@ class Compact(Storage[H]):
         head = [(type(self).__doc__ or "").partition("\n")[0], ", ".join(values)]
         return "\n".join([*(f"# {line}" for line in head if line), source])
 
-    def _first_call(self, operation: str, *operands: Any) -> Any:
+    def _first_call(self, operation: str, *operands: object) -> object:
         made = getattr(self, operation)
         if isinstance(made, partial):  # and nobody kept what stood here before the first call
             names = self.names()
@@ -102,7 +102,7 @@ class Compact(Storage[H]):
 
 
 @lru_cache(maxsize=1024)
-def _factory(name: str, source: str, free: tuple[str, ...]) -> Callable[..., Any]:
+def _factory(name: str, source: str, free: tuple[str, ...]) -> Callable[..., Callable[..., object]]:
     """Return a function that closes the source over values of its free names.
 
     Names that are closed over are found quicker than globals, and algebras share the compiled code.
@@ -110,7 +110,7 @@ def _factory(name: str, source: str, free: tuple[str, ...]) -> Callable[..., Any
     text = f"def make({', '.join(free)}):\n{indent(source, '    ')}\n    return {name}\n"
     namespace: dict[str, Any] = {}
     exec(compile(text, f"<{name} of quaternions>", "exec"), namespace)
-    make: Callable[..., Any] = namespace["make"]
+    make: Callable[..., Callable[..., object]] = namespace["make"]
     return make
 
 

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, named, parts, specialise_extension
-from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
+from hfield.fields.base.storage.base import S
+from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage
 from hfield.fields.base.storage.compact import LARGE, function, statements
 
 if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
-Vector = tuple[Any, ...]  # of rational numbers
+Vector = tuple[flint.fmpz | flint.fmpq, ...]
+Integers = tuple[int | flint.fmpz, ...]  # numerators, and the denominator last
 
 
-class FractionStorage(CommonDenominatorStorage):
+class FractionStorage(CommonDenominatorStorage[Integers, S]):
     """Elements over ℚ(s) as ints over one denominator.
 
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
@@ -38,8 +40,8 @@ class FractionStorage(CommonDenominatorStorage):
         ring: Ring,
         constants: Constants,
         relation: tuple[int, ...],
-        vector: Callable[[Any], Vector],
-        element: Callable[..., Any],
+        vector: Callable[[S], Vector],
+        element: Callable[..., S],
     ) -> None:
         """Store the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
 
@@ -66,7 +68,7 @@ class FractionStorage(CommonDenominatorStorage):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def encode(self, coordinates: Coordinates) -> FractionTuple:
+    def encode(self, coordinates: Coordinates) -> Integers:
         """Return the element with these coordinates in the field."""
         scales = 1, self._m, self._k, self._m * self._k
         vectors = map(self._vector, coordinates)
@@ -75,9 +77,9 @@ class FractionStorage(CommonDenominatorStorage):
         stored = *(int(c.p) * (d // int(c.q)) for c in every), d
         return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> FractionTuple:
+    def whole(self, w: int, x: int, y: int, z: int) -> Integers:
         """Encode four ints."""
-        stored: FractionTuple
+        stored: Integers
         if self.is_scaled:
             stored = super().whole(w, x, y, z)
             return stored
@@ -85,13 +87,13 @@ class FractionStorage(CommonDenominatorStorage):
         stored = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
         return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def scalar(self, s: Scalar) -> FractionTuple:
+    def scalar(self, s: S) -> Integers:
         """Encode s·e for an element s of the field."""
         *numerators, d = self.fraction(s)
         stored = *numerators, *(0,) * (3 * self.degree), d
         return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def coordinates(self, stored: FractionTuple) -> Coordinates:
+    def coordinates(self, stored: Integers) -> Coordinates:
         """Return the four coordinates, elements of the field."""
         element, m, k, n = self._element, self._m, self._k, self.degree
         *every, d = stored
@@ -139,9 +141,9 @@ class FractionStorage(CommonDenominatorStorage):
         ]
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
-    def divided(self, p: FractionTuple, s: Scalar) -> FractionTuple | None:
+    def divided(self, p: Integers, s: S) -> Integers | None:
         """Return p/s for an element s of the ring, or None where it is not a unit."""
-        stored: FractionTuple | None
+        stored: Integers | None
         if not self.ring.is_field:
             stored = super().divided(p, s)
             return stored
@@ -154,13 +156,13 @@ class FractionStorage(CommonDenominatorStorage):
         stored = self.multiple(p, (*(c * d1 for c in inverse), d))
         return stored
 
-    def fraction(self, s: Scalar) -> FractionTuple:
+    def fraction(self, s: S) -> Integers:
         """Return the numerators of an element of the ring over one denominator."""
         vector = self._vector(s)
         d = _denominator(vector)
         return *(int(c.p) * (d // int(c.q)) for c in vector), d
 
-    def _reciprocal(self, *s: Any) -> tuple[int, ...]:
+    def _reciprocal(self, *s: int) -> tuple[int, ...]:
         """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 1, 2 or 3.
 
         The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.
@@ -198,12 +200,12 @@ def _denominator(vector: Vector) -> int:
     return lcm(*(int(c.q) for c in vector))
 
 
-def lowest(*fraction: Any) -> FractionTuple:
+def lowest(*fraction: int | flint.fmpz) -> Integers:
     """Reduce integers over a common positive denominator, the last entry, to lowest terms.
 
     Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
     """
-    large = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
+    large: list[flint.fmpz] = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]
     for c in large:
         if g == 1:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
 
-class Plain(Compact[Coordinates]):
+class Plain(Compact[Coordinates, Scalar]):
     """Storage of elements as tuples of their four coordinates."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:

@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
 import flint
 
-from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import BINARY, pattern, specialise
 from hfield.fields.base.storage.compact import LARGE, Compact, function, statements
 
 if TYPE_CHECKING:
-    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.base.finite_places import Residue
+    from hfield.fields.base.flint_types import Coefficient
     from hfield.fields.base.modular import Modular
     from hfield.fields.base.ring import Ring
 
-Representatives = tuple[Any, Any, Any, Any]
+R = TypeVar("R", bound="Residue")  # a representative
+Representatives = tuple[R, R, R, R]
 
 
-class Quotients(Compact[Representatives]):
+class Quotients(Compact[Representatives[R], "Coefficient"]):
     """Storage of elements over R/(n) as representatives that ``%`` makes unique."""
 
     reduces_sums = True
@@ -28,10 +30,10 @@ class Quotients(Compact[Representatives]):
         self,
         ring: Ring,
         constants: Constants,
-        modulus: int | Polynomial,
-        lift: Callable[[Any], Any],
-        project: Callable[[Any], Any],
-        invert: Callable[[Any], Any],
+        modulus: R,
+        lift: Callable[[Coefficient], R],
+        project: Callable[[R], Coefficient],
+        invert: Callable[[R], R],
     ) -> None:
         """Store the maps from the ring to representatives and back.
 
@@ -42,12 +44,12 @@ class Quotients(Compact[Representatives]):
         self.lifted = Constants(*map(lift, constants))
         self.pattern = pattern(constants, lambda x, k: ring.equal(x, ring(k)))
 
-    def encode(self, coordinates: Coordinates) -> Representatives:
+    def encode(self, coordinates: Coordinates) -> Representatives[R]:
         """Return the element with these coordinates in the ring."""
         w, x, y, z = map(self._lift, coordinates)
         return w, x, y, z
 
-    def coordinates(self, stored: Representatives) -> Coordinates:
+    def coordinates(self, stored: Representatives[R]) -> Coordinates:
         """Return the four coordinates, flint's residues or field elements."""
         w, x, y, z = map(self._project, stored)
         return w, x, y, z
@@ -77,12 +79,12 @@ class Quotients(Compact[Representatives]):
             operands["q"] = "w2, x2, y2, z2"
         return function(operation, operands, body)
 
-    def scaled(self, p: Representatives, s: Scalar) -> Representatives:
+    def scaled(self, p: Representatives[R], s: Coefficient) -> Representatives[R]:
         """Return s·p for an element s of the ring."""
         (w, x, y, z), n, s = p, self.modulus, self._lift(s)
         return w * s % n, x * s % n, y * s % n, z * s % n
 
-    def is_zero(self, p: Representatives) -> bool:
+    def is_zero(self, p: Representatives[R]) -> bool:
         """Return whether p = 0."""
         return p == (0, 0, 0, 0)
 
@@ -97,7 +99,7 @@ INVERTED = [
 REDUCED = "return w % n, x % n, y % n, z % n"
 
 
-class ResidueStorage(Quotients):
+class ResidueStorage(Quotients["int | flint.fmpz"]):
     """Storage of elements over ℤ/n as four ints between 0 and n − 1, of flint for large n."""
 
     def __init__(self, ring: Modular, constants: Constants) -> None:
@@ -111,11 +113,11 @@ class ResidueStorage(Quotients):
             invert=lambda s: pow(int(s), -1, n),
         )
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives[int | flint.fmpz]:
         """Encode four ints."""
         n = self.modulus
         return w % n, x % n, y % n, z % n
 
-    def key(self, p: Representatives) -> Representatives:
+    def key(self, p: Representatives[int | flint.fmpz]) -> Representatives[int | flint.fmpz]:
         """Return p itself."""
         return p
