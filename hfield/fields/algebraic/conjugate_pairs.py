@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -22,7 +22,7 @@ from hfield.fields.algebraic.in_fields import (
     traces,
 )
 from hfield.fields.algebraic.polynomial_roots import NormOfPair, Root, TraceOfPair
-from hfield.fields.algebraic.surds import from_rational
+from hfield.fields.algebraic.surds import Surd, from_rational
 from hfield.fields.algebraic.text import closed_text
 from hfield.fields.base.balls import precision
 from hfield.fields.base.isolated_roots import isolated_roots
@@ -33,7 +33,9 @@ if TYPE_CHECKING:
 MAX_PAIRED = 16  # the degree of polynomials for pairs of whose roots a field is made
 
 
-def factors(g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]) -> list[list[Any]]:
+def factors(
+    g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]
+) -> list[list[Surd | Closed]]:
     """Return the factors, real ones or linear, of an irreducible polynomial over ℚ of degree 3 or more.
 
     ``short`` are expressions of some of its roots, or none.
@@ -41,7 +43,7 @@ def factors(g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]) -> list[
     c = coefficients(g)
     spelled = {located([c], z.ball)[0]: z.expr for z in short}
 
-    def linear(n: int) -> list[Any]:
+    def linear(n: int) -> list[Surd | Closed]:
         root = (n, *c)
         return [-at(root, flint.fmpq_poly([0, 1]), spelled.get(n, Root(*root))), from_rational(1)]
 
@@ -55,7 +57,9 @@ def factors(g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]) -> list[
     return [linear(n) for n in range(real)] + quadratic
 
 
-def trace_and_norm(root: Numbered, short: Sequence[sympy.Expr]) -> tuple[Any, Any]:
+def trace_and_norm(
+    root: Numbered, short: Sequence[sympy.Expr]
+) -> tuple[Surd | Closed, Surd | Closed]:
     """Return sum and product of a root above the real axis and its conjugate, in one field if that is small.
 
     ``short`` are expressions of the two, or none.
@@ -104,7 +108,7 @@ def _of_pairs(c: tuple[int, ...]) -> tuple[int, flint.fmpq_poly, flint.fmpq_poly
     of_basis, factorials = traces(f), [flint.fmpz.fac_ui(n) for n in range(size)]
     for shift in count():  # two pairs have one α for one s at most
         u, power = (x + shift * x * x) % f, flint.fmpq_poly([1])
-        rows: list[list[Any]] = [[], [], []]  # Σ zⁿ·uᵏ/k!
+        rows: list[list[flint.fmpq]] = [[], [], []]  # Σ zⁿ·uᵏ/k!
         for factorial in factorials:
             for n, row in enumerate(rows):
                 row.append(trace(power * x**n % f, of_basis) / factorial)

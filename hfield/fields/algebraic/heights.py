@@ -10,7 +10,6 @@ decides; no minimal polynomial is computed.
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import lcm, log, perm, prod
-from typing import Any
 
 import sympy
 
@@ -26,9 +25,9 @@ class Bounds:
     """
 
     height: float = 0.0
-    roots: dict[tuple[Any, int], int] = field(default_factory=dict)
+    roots: dict[tuple[sympy.Expr, int], int] = field(default_factory=dict)
     order: int = 1
-    conjugates: dict[tuple[Any, ...], set[int]] = field(default_factory=dict)
+    conjugates: dict[tuple[sympy.Expr, ...], set[int]] = field(default_factory=dict)
 
     @property
     def degree(self) -> int:
@@ -76,7 +75,7 @@ def _height_of_polynomial(terms: Sequence[sympy.Expr], found: Bounds) -> float |
 
     1/x counts as a part beside x, of the same height.
     """
-    coefficients, powers = [], dict[tuple[Any, bool], int]()
+    coefficients, powers = [], dict[tuple[sympy.Expr, bool], int]()
     for term in terms:
         coefficient, factors = term.as_coeff_mul()
         if not coefficient.is_Rational:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from functools import reduce
 from math import lcm
-from typing import Any
 
 import flint
 import sympy
@@ -19,7 +18,7 @@ from hfield.core.factorisation import factor
 MAX_TERMS = 1_000_000  # products of terms that are worked out, and terms that are examined
 MAX_DEGREE = 5_000  # of a radical
 
-Quotient = tuple[Any, Any]  # of polynomials over ℚ
+Quotient = tuple[flint.fmpq_mpoly, flint.fmpq_mpoly]
 
 
 class _TooLongError(Exception):
@@ -114,7 +113,7 @@ class _Variables:
             ),
         )
 
-    def _constant(self, n: int) -> Any:
+    def _constant(self, n: int) -> flint.fmpq_mpoly:
         return self.context.constant(n)
 
     def _sum(self, terms: list[Quotient]) -> Quotient:
@@ -141,7 +140,7 @@ class _Variables:
         one = self._constant(1)
         return reduce(self._product, [(top, bottom)] * abs(n), (one, one))
 
-    def _times(self, x: Any, y: Any) -> Any:
+    def _times(self, x: flint.fmpq_mpoly, y: flint.fmpq_mpoly) -> flint.fmpq_mpoly:
         self._spend(len(x) * len(y))
         return x * y
 
@@ -150,7 +149,7 @@ class _Variables:
         if self.left < 0:
             raise _TooLongError
 
-    def _reduced(self, top: Any, base: sympy.Expr) -> Any:
+    def _reduced(self, top: flint.fmpq_mpoly, base: sympy.Expr) -> flint.fmpq_mpoly:
         """Return a polynomial, times a number that is not 0, with small powers of the radicals of a base."""
         n, x = self.degrees[base], self.variables[base]
         self._spend(10 * len(top))
@@ -159,7 +158,7 @@ class _Variables:
             self._spend(len(top) * len(cyclotomic))
             return top % sum((x**k * int(c) for k, c in enumerate(cyclotomic)), self._constant(0))
         index = list(self.degrees).index(base)
-        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        parts: dict[int, dict[tuple[int, ...], flint.fmpq]] = {}
         for monomial, c in top.to_dict().items():
             whole, rest = divmod(int(monomial[index]), n)
             moved = (*monomial[:index], rest, *monomial[index + 1 :])

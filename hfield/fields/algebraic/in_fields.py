@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -64,7 +64,14 @@ class NumberInField(Closed):
             return None
         return flint.fmpq_poly([surd.terms.get(1, 0)]), sympy_of(surd)
 
-    def _combine(self, other: object, operation: Callable[[Any, Any], Any]) -> Surd | Closed:
+    def _combine(
+        self,
+        other: object,
+        operation: Callable[
+            [sympy.Expr | flint.fmpq_poly, sympy.Expr | flint.fmpq_poly],
+            sympy.Expr | flint.fmpq_poly,
+        ],
+    ) -> Surd | Closed:
         operand = self._operand(other)
         if operand is None:
             return super()._combine(other, operation)

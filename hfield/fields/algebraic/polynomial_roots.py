@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import log
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 import sympy
@@ -17,6 +17,9 @@ import sympy
 from hfield.errors import CoercionError, shorten
 from hfield.fields.base.balls import precision
 from hfield.fields.base.isolated_roots import IsolatedRoots, isolated_roots
+
+if TYPE_CHECKING:
+    from sympy.printing.latex import LatexPrinter
 
 MIN_DEGREE = 3  # below they are written with square roots
 
@@ -47,11 +50,11 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
         """The indices of the conjugate roots."""
         return [int(self.args[0])]
 
-    def _latex(self, printer: Any) -> str:
+    def _latex(self, printer: LatexPrinter) -> str:
         name = self.spelled.replace("_", r"\_")
         return rf"\operatorname{{{name}}}\left({', '.join(map(str, self.args))}\right)"
 
-    def _eval_evalf(self, prec: int) -> Any:
+    def _eval_evalf(self, prec: int) -> sympy.Expr:
         with precision(prec + 16):
             z = self.ball()
             parts = [
@@ -69,7 +72,7 @@ class Root(RootOf):
     def _eval_is_extended_real(self) -> bool:
         return int(self.args[0]) < self.roots.real_count
 
-    def _eval_conjugate(self) -> Any:
+    def _eval_conjugate(self) -> sympy.Expr:
         n, real = int(self.args[0]), self.roots.real_count
         return self if n < real else Root(real + ((n - real) ^ 1), *self.args[1:])
 
@@ -113,7 +116,7 @@ class NormOfPair(_OfPair):
 KINDS = {kind.spelled: kind for kind in (Root, TraceOfPair, NormOfPair)}
 
 
-def read(name: str, arguments: Sequence[int | None]) -> Any:
+def read(name: str, arguments: Sequence[int | None]) -> sympy.Expr:
     """Return a number of one of the three classes, from integers. Raises :class:`CoercionError`."""
     whole = [x for x in arguments if x is not None]
     if len(whole) < len(arguments) or not whole:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -62,7 +62,7 @@ class AlgebraicNumbers(ValueRing):
         return f"the {'real' if self.is_real else 'complex'} algebraic numbers"
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The kind of the field, as JSON data."""
         return {"kind": "reals" if self.is_real else "complexes"}
 
@@ -282,7 +282,7 @@ def _root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
     return root_by_number(name, *arguments)
 
 
-def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
+def _roots_in_radicals(g: flint.fmpq_poly) -> list[sympy.Expr]:
     """Return sympy's roots in radicals of an irreducible polynomial over ℚ, if they are short."""
     import sympy
 

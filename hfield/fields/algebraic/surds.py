@@ -9,7 +9,7 @@ QQ(sqrt(d)), QQ(I) and most numbers that anyone types into RR or CC lie in these
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -40,7 +40,7 @@ class Surd(PrintedBySympy):
 
     __slots__ = ("terms",)
 
-    terms: dict[int, Any]
+    terms: dict[int, flint.fmpq]
 
     def __init__(self, terms: dict[int, flint.fmpq]) -> None:
         object.__setattr__(self, "terms", terms)
@@ -97,7 +97,7 @@ class Surd(PrintedBySympy):
             raise TooLargeError(
                 f"a number with more than {MAX_TERMS} square roots; compute in parts"
             )
-        terms: dict[int, Any] = {}
+        terms: dict[int, flint.fmpq] = {}
         for m, c in self.terms.items():
             for n, d in o.terms.items():
                 factor, root = product(m, n)
@@ -310,7 +310,7 @@ def _rational_root(x: flint.fmpq) -> flint.fmpq | None:
 
 def _collected(terms: dict[int, flint.fmpq]) -> dict[int, flint.fmpq]:
     """Return the terms with one radicand for each square class, and no coefficient 0."""
-    out: dict[int, Any] = {}
+    out: dict[int, flint.fmpq] = {}
     for n, c in sorted(terms.items(), key=lambda term: abs(term[0])):
         m, scale = next(((m, r) for m in out if (r := ratio(n, m))), (n, (1, 1)))
         out[m] = out.get(m, _ZERO) + c * flint.fmpq(*scale)

@@ -11,7 +11,7 @@ import numbers
 from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Any, overload
 
 from flint import fmpq, fmpz
 
@@ -22,8 +22,9 @@ class _OfFractions(type):
     An ``__init__`` would do it too, and make every norm slower.
     """
 
-    def __call__(cls, *numbers: object) -> Any:
-        return super().__call__(*map(_of_python, numbers))
+    def __call__(cls, *numbers: object) -> RationalNumber:
+        made: RationalNumber = super().__call__(*map(_of_python, numbers))
+        return made
 
 
 class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # flint has no types
@@ -96,7 +97,7 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
     def __trunc__(self) -> int:
         return int(self)
 
-    def __round__(self, digits: int | None = None) -> Any:
+    def __round__(self, digits: int | None = None) -> int | Fraction:
         return round(Fraction(*self.as_integer_ratio()), digits)
 
     def __floordiv__(self, other: object) -> int:
@@ -125,10 +126,13 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
 
     # --- powers ----------------------------------------------------------------------------------
 
-    def __pow__(self, exponent: object, modulus: object = None) -> Any:
+    @overload
+    def __pow__(self, exponent: int | fmpq) -> RationalNumber: ...
+    @overload
+    def __pow__(self, exponent: int | fmpq, modulus: int) -> int: ...
+    def __pow__(self, exponent: int | fmpq, modulus: int | None = None) -> int | RationalNumber:
         if modulus is not None:
-            base: Any = self.__index__()
-            return pow(base, exponent, modulus)
+            return pow(self.__index__(), exponent, modulus)
         number = _rational(exponent)
         if number is None:
             return NotImplemented
@@ -139,11 +143,11 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
 
     # --- sums and products, comparison -----------------------------------------------------------
 
-    def _operation(name: str) -> Callable[[RationalNumber, object], Any]:  # noqa: N805
+    def _operation(name: str) -> Callable[[RationalNumber, object], RationalNumber]:  # noqa: N805
         """Return an operation of flint's class that also accepts Fractions and returns this class."""
-        of_flint = getattr(fmpq, name)
+        of_flint: Callable[[RationalNumber, object], RationalNumber] = getattr(fmpq, name)
 
-        def operation(self: RationalNumber, other: object) -> Any:
+        def operation(self: RationalNumber, other: object) -> RationalNumber:
             found = of_flint(self, _of_python(other))
             return rational_number(found) if type(found) is fmpq else found
 
@@ -155,11 +159,12 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
     __mul__, __rmul__ = _operation("__mul__"), _operation("__rmul__")
     __truediv__, __rtruediv__ = _operation("__truediv__"), _operation("__rtruediv__")
 
-    def _comparison(name: str) -> Callable[[RationalNumber, object], Any]:  # noqa: N805
+    def _comparison(name: str) -> Callable[[RationalNumber, object], bool]:  # noqa: N805
         """Return a comparison that takes Fractions and, exactly as they do, floats."""
-        of_flint, of_fractions = getattr(fmpq, name), getattr(Fraction, name)
+        of_flint: Callable[[RationalNumber, object], bool] = getattr(fmpq, name)
+        of_fractions: Callable[[Fraction, float], bool] = getattr(Fraction, name)
 
-        def comparison(self: RationalNumber, other: object) -> Any:
+        def comparison(self: RationalNumber, other: object) -> bool:
             if isinstance(other, float):
                 return of_fractions(Fraction(int(self.p), int(self.q)), other)
             return of_flint(self, _of_python(other))
@@ -167,7 +172,7 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
         comparison.__name__ = name
         return comparison
 
-    def __ne__(self, other: object) -> Any:
+    def __ne__(self, other: object) -> bool:
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else not equal
 

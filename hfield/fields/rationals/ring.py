@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -53,7 +53,7 @@ class _Ordered(ValueRing):
         return int(x > 0) - int(x < 0)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """ℤ or ℚ, by their names."""
         return {"kind": "rationals" if self.is_field else "integers"}
 
@@ -169,7 +169,7 @@ class Rationals(_Ordered):
         """Return a description of ℚ."""
         return "the rational numbers ℚ"
 
-    def place_data(self, place: object) -> dict[str, Any]:
+    def place_data(self, place: object) -> dict[str, object]:
         """Return a prime number as JSON data."""
         return {"kind": "number", "n": place}
 
@@ -251,7 +251,7 @@ class Residues(Modular):
         return shared, (type(self), self.modulus)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The ring by its modulus."""
         return {"kind": "residues", "modulus": self.modulus}
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz
 
@@ -100,7 +100,7 @@ def ramified_places_q(
     return (*primes, INFINITE) if infinite else tuple(primes)
 
 
-def _prime_powers(n: int) -> list[tuple[Any, int]]:
+def _prime_powers(n: int) -> list[tuple[fmpz, int]]:
     """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
     return [(fmpz(p), e) for p, e in sorted(factorise(n).items())]
 
