@@ -5,15 +5,16 @@ A new kind of fields with places has an entry here.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.fields.base.registry import Registry, Theory
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.base.ring import Ring
+    from hfield.fields.base.ring import E, Ring
     from hfield.fields.function_fields.ring import FunctionField
+    from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.fields.number_fields.ring import NumberField
     from hfield.fields.quadratic_forms.global_field import GlobalField
     from hfield.fields.rationals.ring import Rationals
@@ -57,7 +58,7 @@ def _quadratic_field() -> type[GlobalField]:
     return QuadraticArithmetic
 
 
-def _complete_quadratic(field: Any, place: object) -> Ring:
+def _complete_quadratic(field: QuadraticField, place: object) -> Ring:
     from hfield.fields.number_fields.completions import completion_of_quadratic
 
     return completion_of_quadratic(field, place)
@@ -103,7 +104,7 @@ class _Functions:
 
         return shared(FunctionField, base, variable)
 
-    def cosine_and_sine(self, ring: Ring, angle: object, parts: int) -> tuple[Any, Any]:
+    def cosine_and_sine(self, ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
         """Return cosine and sine of an angle, divided into equal parts, as elements of the ring."""
         from hfield.fields.circles.angles import cosine_and_sine_of
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, wraps
 from random import Random
-from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeAlias, runtime_checkable
 
 from hfield import syntax
 from hfield.core.product import Constants, Scalar
@@ -47,6 +47,9 @@ else:
 R = TypeVar("R", bound="Ring")
 S = TypeVar("S", bound=Scalar)  # an element of another ring
 T = TypeVar("T")
+
+Embedding: TypeAlias = "Callable[[Ring, Ring[S]], Callable[[Any], S]]"
+"""The map of a first ring, any one, into a second one."""
 
 INFINITY = float("inf")
 ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
@@ -468,7 +471,7 @@ class WithRelatives(Core[E]):
         """The ring k of constants of k(x) and k[x, …], None for any other ring."""
         return None
 
-    def as_constant(self, x: E) -> Scalar | None:
+    def as_constant(self, x: E) -> object:
         """Return the element of the ring of constants that x is, or None."""
         return None
 
@@ -544,7 +547,7 @@ class WithVariables(Core[E]):
         self,
         target: Ring[S],
         images: Mapping[str, S],
-        below: Callable[[Ring, Ring[S]], Callable[[Any], S]],
+        below: Embedding[S],
     ) -> Callable[[E], S]:
         """Return the homomorphism into a ring that maps the variables to these images.
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeGuard, overload
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
@@ -21,6 +21,8 @@ from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import sympy
+
+    from hfield.algebra.quaternion import Quaternion
 
 PI = "pi"
 Angle = Mapping[str, Fraction]  # the multiple of each named angle, and of π
@@ -45,7 +47,7 @@ def angle_of(x: object) -> Angle:
     return {name: c for name, c in found.items() if c}
 
 
-def _read(node: Any) -> Any:
+def _read(node: object) -> Fraction | dict[str, Fraction]:
     """Return a Fraction, or the multiples of angles in a linear combination of them."""
     match node:
         case syntax.Number(value):
@@ -79,7 +81,7 @@ def _read(node: Any) -> Any:
     )
 
 
-def _scaled(x: Fraction | dict[str, Fraction], c: Fraction) -> Any:
+def _scaled(x: Fraction | dict[str, Fraction], c: Fraction) -> Fraction | dict[str, Fraction]:
     return x * c if isinstance(x, Fraction) else {name: c * y for name, y in x.items()}
 
 
@@ -119,11 +121,15 @@ class SymbolicAngle(PrintedBySympy):
     def __rsub__(self, other: object) -> SymbolicAngle:
         return -self + other
 
-    def __mul__(self, other: Any) -> Any:
+    @overload
+    def __mul__(self, other: int | Fraction) -> SymbolicAngle: ...
+    @overload
+    def __mul__(self, other: object) -> SymbolicAngle | AxisAngle: ...
+    def __mul__(self, other: object) -> SymbolicAngle | AxisAngle:
         factor = rational(other)
         if factor is not None:
             return SymbolicAngle({n: c * factor for n, c in self.multiples.items()})
-        return AxisAngle(other, self) if hasattr(other, "algebra") else NotImplemented
+        return AxisAngle(other, self) if _is_quaternion(other) else NotImplemented
 
     __rmul__ = __mul__
 
@@ -162,6 +168,10 @@ class SymbolicAngle(PrintedBySympy):
         )
 
 
+def _is_quaternion(x: object) -> TypeGuard[Quaternion]:
+    return hasattr(x, "algebra")
+
+
 class AxisAngle:
     """The product n·θ of an axis, n² = −1, and an angle: a logarithm. Immutable.
 
@@ -171,17 +181,18 @@ class AxisAngle:
     (k·(t), True, sin(t) + cos(t)*k)
     """
 
-    def __init__(self, axis: Any, angle: SymbolicAngle) -> None:
+    def __init__(self, axis: Quaternion, angle: SymbolicAngle) -> None:
         if not (axis * axis + 1).is_zero():
             raise CoercionError(
                 f"the square of the axis {shorten(axis)} is not −1, so that axis·angle has no exponential"
             )
         self.axis, self.angle = axis, angle
 
-    def exp(self) -> Any:
+    def exp(self) -> Quaternion:
         """Return ``cos θ + n·sin θ``. Raises :class:`CoercionError` where the ring has no such cosine."""
         cosine, sine = self.axis.ring.cosine_and_sine_of(self.angle)
-        return self.axis * sine + cosine
+        value: Quaternion = self.axis * sine + cosine
+        return value
 
     def __mul__(self, factor: object) -> AxisAngle:
         scaled = self.angle * factor
@@ -268,7 +279,7 @@ class WithAngles(Ring[E]):
         return {**super().functions(), **circular}
 
     def _function(self, name: str) -> Callable[..., E]:
-        def value(*trees: Any) -> E:
+        def value(*trees: object) -> E:
             if len(trees) != 1:
                 raise CoercionError(f"{name} takes one angle, not {len(trees)} arguments")
             return self.function_of_angle(name, angle_of(trees[0]))
@@ -297,7 +308,7 @@ class WithAngles(Ring[E]):
         return None
 
 
-def rotated(ring: Any, pair: tuple[Any, Any], angle: Angle) -> tuple[Any, Any]:
+def rotated(ring: Ring[E], pair: tuple[E, E], angle: Angle) -> tuple[E, E]:
     """Return cosine and sine of an angle, given those of the angle without its multiple of π."""
     turn = angle.get(PI)
     if not turn:
@@ -306,7 +317,7 @@ def rotated(ring: Any, pair: tuple[Any, Any], angle: Angle) -> tuple[Any, Any]:
     return cosine * c - sine * s, cosine * s + sine * c
 
 
-def cosine_and_sine_of_pi(ring: Ring, turn: Fraction) -> tuple[Any, Any]:
+def cosine_and_sine_of_pi(ring: Ring[E], turn: Fraction) -> tuple[E, E]:
     """Return cosine and sine of turn·π. Raises :class:`CoercionError` where the ring does not have them."""
     if (2 * turn).denominator == 1:
         quarter = int(2 * turn) % 4
@@ -317,7 +328,7 @@ def cosine_and_sine_of_pi(ring: Ring, turn: Fraction) -> tuple[Any, Any]:
     return ring(sympy.cos(angle)), ring(sympy.sin(angle))
 
 
-def cosine_and_sine_in(ring: Ring, angle: Angle) -> tuple[Any, Any]:
+def cosine_and_sine_in(ring: Ring[E], angle: Angle) -> tuple[E, E]:
     """Return cosine and sine of an angle in a ring. Raises :class:`CoercionError` where it has none."""
     if isinstance(ring, WithAngles):
         return ring.cosine_and_sine(angle)
@@ -327,6 +338,6 @@ def cosine_and_sine_in(ring: Ring, angle: Angle) -> tuple[Any, Any]:
     return cosine_and_sine_of_pi(ring, angle.get(PI, Fraction(0)))
 
 
-def cosine_and_sine_of(ring: Ring, angle: object, parts: int) -> tuple[Any, Any]:
+def cosine_and_sine_of(ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
     """Return cosine and sine of an angle that is divided into equal parts. Raises :class:`CoercionError`."""
     return cosine_and_sine_in(ring, {name: c / parts for name, c in angle_of(angle).items()})

@@ -7,12 +7,12 @@ the normal form P/Q, as over ℚ, with rational coefficients in Q.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import prod
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import flint
 
@@ -25,16 +25,27 @@ from hfield.fields.base.printing import quotient_text, sum_text
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.to_sympy import symbol
 from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
-from hfield.fields.circles.ring import CircleFunctions, in_latex
-from hfield.fields.circles.ring import build as build_circles
+from hfield.fields.circles.ring import (
+    CircleFunctions,
+    CirclesOverNumberField,
+    in_latex,
+    over_number_field,
+)
+from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.fields.function_fields.quotients import value_of_fraction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.spelled_names import NamedNumber, SpelledField
-from hfield.fields.rationals.ring import QQ
 
 if TYPE_CHECKING:
     import sympy
 
+    from hfield.fields.algebraic.closed_forms import Closed
+    from hfield.fields.base.flint_types import SparsePolynomial
+    from hfield.fields.base.ring import E, Embedding, S
+    from hfield.fields.function_fields.quotients import RationalFunction
+    from hfield.fields.number_fields.elements import FieldElement
+
+Inner: TypeAlias = "RationalFunction | ExtensionElement"
 Terms = list[tuple[flint.fmpq, dict[str, int]]]  # coefficients of products of powers of numbers
 MAX_DEGREE = 16  # of the number field of an element; an inverse takes seconds at 12
 Texts = tuple[str, ...]  # the numbers that generate a field, as RR writes them, sorted
@@ -43,7 +54,7 @@ Texts = tuple[str, ...]  # the numbers that generate a field, as RR writes them,
 # --- real number fields -------------------------------------------------------------------------------
 
 
-def in_generators(x: Any) -> Terms:
+def in_generators(x: Surd | Closed) -> Terms:
     """Write a real algebraic number in square roots of primes, roots, and other numbers by their texts.
 
     Raises :class:`CoercionError` for a number that is not seen to be algebraic.
@@ -81,10 +92,8 @@ def _in_primes(c: flint.fmpq, primes: Mapping[int, int]) -> tuple[flint.fmpq, di
 
 
 @cache
-def number_field(texts: Texts) -> Any:
-    """Return the field that numbers generate, or ℚ. Raises :class:`TooLargeError` above ``MAX_DEGREE``."""
-    if not texts:
-        return QQ
+def number_field(texts: Texts) -> SpelledField:
+    """Return the field that numbers generate. Raises :class:`TooLargeError` above ``MAX_DEGREE``."""
     K = SpelledField(f"QQ({','.join(texts)})", list(map(_number, texts)))
     if K.degree > MAX_DEGREE:
         raise TooLargeError(
@@ -98,28 +107,32 @@ def number_field(texts: Texts) -> Any:
 def _number(text: str) -> NamedNumber:
     import sympy
 
-    x: Any = RR(text)
+    x = RR(text)
     polynomial = sympy.Poly(sympy.minimal_polynomial(RR.to_sympy(x, {}), sympy.Symbol("x")))
     rationals = [flint.fmpq(int(c.p), int(c.q)) for c in reversed(polynomial.monic().all_coeffs())]
     return NamedNumber(text, flint.fmpq_poly(rationals), x.ball)
 
 
 @cache
-def _image_of_generator(texts: Texts, target: Texts) -> Any:
+def _image_of_generator(texts: Texts, target: Texts) -> FieldElement:
     """Return the generator of a field, as an element of a larger one."""
     K, L = number_field(texts), number_field(target)
     return _product_sum(L, K.products(K.gen), [L.parts[text] for text in texts])
 
 
-def _real_number(texts: Texts, coefficients: list[flint.fmpq]) -> Any:
+def _real_number(texts: Texts, coefficients: list[flint.fmpq]) -> Surd | Closed:
     """Return the real number with these coefficients at the powers of the generator of a field."""
     if not texts:
         return RR(coefficients[0])
     K = number_field(texts)
-    return _product_sum(RR, K.products(K.of_coefficients(coefficients)), [RR(t) for t in texts])
+    products = K.products(K.of_coefficients(coefficients))
+    number: Surd | Closed = _product_sum(RR, products, [RR(t) for t in texts])
+    return number
 
 
-def _product_sum(ring: Any, terms: Any, numbers: list[Any]) -> Any:
+def _product_sum(
+    ring: Ring[E], terms: Iterable[tuple[flint.fmpq, Sequence[int]]], numbers: list[E]
+) -> E:
     """Return the sum of coefficients times products of powers of the numbers."""
     total = ring.zero
     for c, powers in terms:
@@ -139,16 +152,16 @@ class RealCircleElement(Element):
     __slots__ = ("inner", "texts")
 
     field: RealCircles
-    inner: Any
+    inner: Inner
     texts: Texts
 
-    def __init__(self, field: RealCircles, inner: Any, texts: Texts) -> None:
+    def __init__(self, field: RealCircles, inner: Inner, texts: Texts) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "inner", inner)
         object.__setattr__(self, "texts", texts)
 
     def _with(
-        self, other: RealCircleElement, operation: Callable[[Any, Any], Any]
+        self, other: RealCircleElement, operation: Callable[[Inner, Inner], Inner]
     ) -> RealCircleElement:
         x, y, texts = self.field.together(self, other)
         return self.field.element(operation(x, y), texts)
@@ -172,6 +185,11 @@ class RealCircleElement(Element):
     def __hash__(self) -> int:
         terms, den = self.field.in_cosines(self)
         return hash((frozenset(terms.items()), str(den)))
+
+
+def _parts(inner: Inner) -> Sequence[RationalFunction]:
+    """Return the coefficients, over ℚ, at the powers of the generator of the number field."""
+    return inner.coefficients if isinstance(inner, ExtensionElement) else (inner,)
 
 
 class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
@@ -199,30 +217,32 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
 
     # --- elements ------------------------------------------------------------------------------
 
-    def over(self, texts: Texts) -> Any:
-        """Return the field over the number field that numbers generate."""
-        return (
-            build_circles(number_field(texts), self.base.angles, self.base.plain)
-            if texts
-            else self.base
-        )
+    def over(self, texts: Texts) -> WithAngles:
+        """Return the field over the number field that numbers generate, or over ℚ."""
+        return self.over_number_field(texts) if texts else self.base
 
-    def element(self, inner: Any, texts: Texts = ()) -> RealCircleElement:
+    def over_number_field(self, texts: Texts) -> CirclesOverNumberField:
+        """Return the field over the number field that numbers, at least one, generate."""
+        return over_number_field(number_field(texts), self.base.angles, self.base.plain)
+
+    def element(self, inner: Inner, texts: Texts = ()) -> RealCircleElement:
         """Return the element that an element of :meth:`over` is."""
-        if texts and all(map(self.base.is_zero, inner.coefficients[1:])):
+        if isinstance(inner, ExtensionElement) and all(
+            map(self.base.is_zero, inner.coefficients[1:])
+        ):
             inner, texts = inner.coefficients[0], ()
         return RealCircleElement(self, inner, texts)
 
-    def together(self, x: RealCircleElement, y: RealCircleElement) -> tuple[Any, Any, Texts]:
+    def together(self, x: RealCircleElement, y: RealCircleElement) -> tuple[Inner, Inner, Texts]:
         """Return both elements over one number field, and the numbers that generate the field."""
         texts = tuple(sorted({*x.texts, *y.texts}))
         return self._lifted(x, texts), self._lifted(y, texts), texts
 
-    def _lifted(self, x: RealCircleElement, texts: Texts) -> Any:
+    def _lifted(self, x: RealCircleElement, texts: Texts) -> Inner:
         if x.texts == texts:
             return x.inner
-        F = self.over(texts)
-        if not x.texts:
+        F = self.over_number_field(texts)
+        if not isinstance(x.inner, ExtensionElement):
             return F.reduced([x.inner])
         theta, total = F.constant(_image_of_generator(x.texts, texts)), F.zero
         for c in reversed(x.inner.coefficients):
@@ -239,7 +259,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         """The real algebraic numbers."""
         return RR
 
-    def constant(self, c: Any) -> RealCircleElement:
+    def constant(self, c: Surd | Closed) -> RealCircleElement:
         """Return a real algebraic number as a constant. Raises :class:`CoercionError` for others."""
         terms = in_generators(c)
         texts = tuple(sorted({text for _, powers in terms for text in powers}))
@@ -248,15 +268,16 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         K = number_field(texts)
         rows = [(c, [powers.get(text, 0) for text in texts]) for c, powers in terms]
         inner = _product_sum(K, rows, [K.parts[text] for text in texts])
-        return self.element(self.over(texts).constant(inner), texts)
+        return self.element(self.over_number_field(texts).constant(inner), texts)
 
-    def as_constant(self, x: RealCircleElement) -> Any:
+    def as_constant(self, x: RealCircleElement) -> Surd | Closed | None:
         """Return the real number that x is, or None."""
         terms, den = self.in_cosines(x)
         none = (0,) * len(self.base.written.variables)
         if not (den.is_constant() and terms.keys() <= {none}):
             return None
-        return terms.get(none, RR.zero)
+        zero: Surd | Closed = RR.zero
+        return terms.get(none, zero)
 
     def from_below(self, x: object) -> RealCircleElement:
         """Turn a real number, or an element over ℚ, into an element. Raises :class:`CoercionError`."""
@@ -281,7 +302,9 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         numbers = {name: self._of_constants(name, f) for name, f in RR.functions().items()}
         return {**numbers, **super().functions()}
 
-    def _of_constants(self, name: str, f: Callable[..., Any]) -> Callable[..., RealCircleElement]:
+    def _of_constants(
+        self, name: str, f: Callable[..., Surd | Closed | None]
+    ) -> Callable[..., RealCircleElement]:
         def value(*arguments: object) -> RealCircleElement:
             constants = [self.as_constant(self(x)) for x in arguments]
             if None in constants:
@@ -320,16 +343,16 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         number = RR.sqrt(lead)
         return None if number is None or root is None else self.constant(number) * root
 
-    def _leading_and_root(self, x: RealCircleElement) -> tuple[Any, RealCircleElement | None]:
+    def _leading_and_root(
+        self, x: RealCircleElement
+    ) -> tuple[Surd | Closed, RealCircleElement | None]:
         """Return a real number c and y with x = c·y²; None for y where there is none."""
-        if x.texts and isinstance(self.base, FunctionField):
-            F = self.over(x.texts)
-            c, root = F.leading_and_root(x.inner)
-            number = _real_number(x.texts, F.constants.coefficients_of(c))
-            return number, None if root is None else self.element(root, x.texts)
+        if isinstance(x.inner, ExtensionElement) and isinstance(self.base, FunctionField):
+            c, y = self.over_number_field(x.texts).leading_and_root(x.inner)
+            number = _real_number(x.texts, number_field(x.texts).coefficients_of(c))
+            return number, None if y is None else self.element(y, x.texts)
         base = self.base
-        parts = x.inner.coefficients if x.texts else [x.inner]
-        f = next(part for part in parts if not base.is_zero(part))
+        f = next(part for part in _parts(x.inner) if not base.is_zero(part))
         ratio = self.as_constant(x / self.element(f))
         if ratio is None:
             raise UndecidedError(
@@ -379,9 +402,11 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         cosine, sine = self.cosine_and_sine(angle)
         return sine / cosine
 
-    def in_cosines(self, x: RealCircleElement) -> tuple[dict[tuple[int, ...], Any], Any]:
+    def in_cosines(
+        self, x: RealCircleElement
+    ) -> tuple[dict[tuple[int, ...], Surd | Closed], SparsePolynomial]:
         """Return the real coefficients of the numerator by exponents, and the denominator, over ℚ."""
-        pairs = [self.base.in_cosines(c) for c in (x.inner.coefficients if x.texts else [x.inner])]
+        pairs = [self.base.in_cosines(c) for c in _parts(x.inner)]
         common = pairs[0][1]
         for _, den in pairs[1:]:
             common = common * (den // common.gcd(den))
@@ -429,26 +454,26 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         """The real algebraic numbers."""
         return RR
 
-    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+    def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
         """Return what cosines, sines and variables become; values of angles are angles, such as π/3."""
         return self.base.images_of(values, target)
 
-    def images_in(self, target: Ring) -> dict[str, Any]:
+    def images_in(self, target: Ring[S]) -> dict[str, S]:
         """Return nothing: cosines and sines are read by their texts."""
         return {}
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[RealCircleElement], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[RealCircleElement], S]:
         """Return the homomorphism that maps cosines, sines and variables to these images."""
         given = self.base.images_of_cosines(target, images)
         number, polynomial = below(RR, target), self.base.written.evaluation(target, given, below)
         values = [given[name] for name in self.base.written.variables]
 
-        def value(x: RealCircleElement) -> Any:
+        def value(x: RealCircleElement) -> S:
             terms, den = self.in_cosines(x)
             total = target.zero
             for m, c in terms.items():
@@ -456,7 +481,8 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
                 for y, n in zip(values, m, strict=True):
                     term = term * target.power(y, n)
                 total = total + term
-            return value_of_fraction(self, x, target, total, polynomial(den))
+            found: S = value_of_fraction(self, x, target, total, polynomial(den))
+            return found
 
         return value
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import prod
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import CoercionError, shorten
 from hfield.fields.base.printing import blackboard, quotient_text
@@ -41,7 +41,8 @@ from hfield.fields.several_variables.ring import RationalFunctions, listed
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.base.flint_types import SparsePolynomial
+    from hfield.fields.base.flint_types import AnyPolynomial, Coefficient, SparsePolynomial
+    from hfield.fields.base.ring import E, Embedding, S
 
 Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
 
@@ -72,7 +73,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return shared, (build, self.base, self.angles, self.plain)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The constants, the angles with their divisors, and the variables of the field, as JSON data."""
         angles = [list(a) for a in self.angles]
         own = {"angles": angles, "variables": list(self.plain)}
@@ -94,7 +95,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         below = {name: self(x) for name, x in self.base.generators().items()}
         return below | {name: x for name, x in self.names().items() if name in self.plain}
 
-    def images_in(self, target: Ring) -> dict[str, Any]:
+    def images_in(self, target: Ring[S]) -> dict[str, S]:
         """Return nothing: cosines and sines are read by their texts."""
         return {}
 
@@ -137,7 +138,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         x, y = self.half_tangent_point({name: 2 * c for name, c in angle.items()})
         return y / x
 
-    def leading_near_zero(self, poly: Any) -> tuple[tuple[int, ...], Any]:
+    def leading_near_zero(self, poly: AnyPolynomial) -> tuple[tuple[int, ...], Coefficient]:
         """Return exponents and coefficient of the term that decides the sign where angles are small.
 
         Tangents are small, the last the smallest; other variables are large, the first the largest.
@@ -178,7 +179,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         num, den = num * lead, den * lead
         return self._lowered(num), self._lowered(den)
 
-    def _raised(self, poly: Any) -> SparsePolynomial:
+    def _raised(self, poly: AnyPolynomial) -> SparsePolynomial:
         """Return a numerator or denominator as a polynomial in tangents, cosines and sines."""
         more = (0,) * (2 * len(self.angles))
         if hasattr(poly, "to_dict"):
@@ -208,7 +209,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         c, s, one = gens[names[first]], gens[names[first + 1]], self._mixed.one
 
         def replaced(poly: SparsePolynomial) -> SparsePolynomial:
-            by_power: dict[int, dict[Any, Any]] = {}
+            by_power: dict[int, dict[tuple[int, ...], Coefficient]] = {}
             for m, x in poly.to_dict().items():
                 by_power.setdefault(m[place], {})[(*m[:place], 0, *m[place + 1 :])] = x
             total = self._mixed.zero
@@ -234,11 +235,11 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         num, den = (self.written.to_sympy(p, known) for p in self.in_cosines(x))
         return num / den
 
-    def in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> dict[str, Any]:
+    def in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> dict[str, sympy.Expr]:
         """Return cosines and sines as sympy has them, by their names here."""
         import sympy
 
-        known: dict[str, Any] = dict(symbols)
+        known: dict[str, sympy.Expr] = dict(symbols)
         for name, parts in self.angles:
             angle = symbol(name, symbols) / parts
             for f in ("cos", "sin"):
@@ -252,11 +253,13 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         """The angles and the other variables."""
         return (*self.plain, *(name for name, _ in self.angles))
 
-    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+    def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
         """Return the images of cosines, sines and variables; the values of angles are angles, such as π/3."""
         known = target.generators()
         found = {
-            name: target(values[name]) if name in values else known.get(name) for name in self.plain
+            name: target(values[name]) if name in values else known[name]
+            for name in self.plain
+            if name in values or name in known
         }
         for name, parts in self.angles:
             pair = cosine_and_sine_of(target, values.get(name, name), parts)
@@ -266,24 +269,25 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[RationalFunction], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[RationalFunction], S]:
         """Return the homomorphism that maps cosines, sines and variables to these images."""
         given = self.images_of_cosines(target, images)
         polynomial = self.written.evaluation(target, given, below)
 
-        def value(x: RationalFunction) -> Any:
+        def value(x: RationalFunction) -> S:
             num, den = self.in_cosines(x)
-            return value_of_fraction(self, x, target, polynomial(num), polynomial(den))
+            found: S = value_of_fraction(self, x, target, polynomial(num), polynomial(den))
+            return found
 
         return value
 
-    def images_of_cosines(self, target: Ring, images: Mapping[str, Any]) -> dict[str, Any]:
+    def images_of_cosines(self, target: Ring[S], images: Mapping[str, S]) -> dict[str, S]:
         """Return the images of cosines, sines and variables; those without a given image are fixed."""
         names = self.written.variables
-        return {v: target(v) if images.get(v) is None else images[v] for v in names}
+        return {v: images[v] if v in images else target(v) for v in names}
 
     def derivative(self, x: RationalFunction, variable: str) -> RationalFunction:
         """Return the derivative by an angle, d/dt, or by another variable."""
@@ -378,7 +382,7 @@ def in_latex(text: str) -> str:
     return text.replace("cos(", r"\cos(").replace("sin(", r"\sin(")
 
 
-def _power(field: Any, tangent: Any, n: int) -> tuple[Any, Any]:
+def _power(field: Ring[E], tangent: E, n: int) -> tuple[E, E]:
     """Return real and imaginary part of (1 + τ·I)ⁿ."""
     x, y = field.one, field.zero
     for _ in range(n):
@@ -397,10 +401,17 @@ def _mirrored(ring: PolynomialRing, poly: SparsePolynomial, place: int) -> Spars
     return found
 
 
+def over_number_field(
+    field: Ring, angles: Angles, plain: tuple[str, ...]
+) -> CirclesOverNumberField:
+    """Return the field of functions on circles over a number field."""
+    return shared(CirclesOverNumberField, build(QQ, angles, plain), field)
+
+
 def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:
     """Return the field of functions on circles over QQ, a number field or GF(p)."""
     if hasattr(base, "modulus_over_rationals"):
-        return shared(CirclesOverNumberField, build(QQ, angles, plain), base)
+        return over_number_field(base, angles, plain)
     if len(angles) == 1 and not plain:
         return shared(OneCircle, base, angles)
     return shared(SeveralCircles, base, angles, plain)
