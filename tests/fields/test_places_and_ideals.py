@@ -9,7 +9,7 @@ from random import Random
 import flint
 import pytest
 
-from hfield.errors import HFieldError
+from hfield.errors import HFieldError, RingError
 from hfield.fields.base.residue_polynomials import (
     coefficients,
     idempotent,
@@ -180,6 +180,17 @@ def test_places_of_rational_numbers() -> None:
     for place in (4, "4", 1, 0, -2, "x", True, 2.0, None, "-3", ""):
         with pytest.raises(HFieldError, match='is not a place of QQ: expected a prime or "inf"'):
             place_of_q(place)
+
+
+def test_data_of_places() -> None:
+    F = ring("QQ(sqrt(2))")
+    assert [F.place_data(v) for v in islice(F.places(), 3)] == [
+        {"kind": "real", "number": 1},
+        {"kind": "real", "number": 0},
+        {"kind": "number", "n": 2},
+    ]
+    with pytest.raises(RingError, match=r"7 is not a place of QQ\(sqrt\(2\)\)"):
+        F.place_data(7)
 
 
 @pytest.mark.parametrize("q", [2, 3, 4, 5])

@@ -80,14 +80,6 @@ class WithIntegers(Protocol):
         """Return a basis over ℤ of the integers, 1 first."""
 
 
-class WithData(Protocol):
-    """A place of a field that has a form as JSON data."""
-
-    @property
-    def data(self) -> dict[str, object]:
-        """The place as JSON data."""
-
-
 class Core(ABC, Generic[E]):
     """A commutative ring with 1: the arithmetic of its elements.
 
@@ -587,9 +579,12 @@ class WithPlaces(Core[E]):
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 
-    def place_data(self, place: WithData) -> dict[str, object]:
-        """Return a place of the field as JSON data."""
-        return place.data
+    def place_data(self, place: object) -> dict[str, object]:
+        """Return a place of the field as JSON data. Raises :class:`RingError` for what is none."""
+        if not hasattr(place, "data"):
+            raise RingError(f"{shorten(place)} is not a place of {shorten(self.name)}")
+        found: dict[str, object] = place.data
+        return found
 
 
 class Ring(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import Factors
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
@@ -20,6 +20,7 @@ from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, 
 from hfield.fields.quadratic_forms.normal_forms import NormalForm, basis_of
 
 if TYPE_CHECKING:
+    from hfield.fields.base.finite_places import FinitePlace
     from hfield.fields.local.element import LocalElement
 
 TRIES = 2_000
@@ -100,15 +101,16 @@ class LocalArithmetic(CompletionArithmetic):
         symbol = f"({a}, {b})" if form.kind == "symbol" else f"[{a}, {b})"
         return f"the Hilbert symbol {symbol} over {self.ring} is −1"
 
-    def discriminant(self, ramified: tuple[object, ...]) -> Any:
+    def discriminant(self, ramified: tuple[object, ...]) -> LocalElement:
         """Return a uniformiser, or 1."""
         return self.ring.uniformiser if ramified else self.ring.one
 
     # --- zeros of norm forms -----------------------------------------------------------------------
 
-    def residues(self, place: object) -> Any:
+    def residues(self, place: object) -> FinitePlace:
         """Return the place of the global field with its residue field."""
-        return self.ring.residues
+        at: FinitePlace = self.ring.residues
+        return at
 
     def unit_and_prime(self, c: Constants, place: object) -> tuple[Vector, Vector] | None:
         """Return u and j for the values of the constants, which prove nothing of constants with an O()."""
@@ -200,7 +202,7 @@ class LocalArithmetic(CompletionArithmetic):
         return self.ring(w), self.ring(r)
 
 
-def root_on_plane(F: LocalField, c: Constants, q: Coordinates, u: Coordinates) -> Any:
+def root_on_plane(F: LocalField, c: Constants, q: Coordinates, u: Coordinates) -> LocalElement:
     """Return an X with N(q + X·u) = 0, where v(N(q)·N(u)) > 2·v(T) for T = tr(q·conj(u)) ≠ 0."""
     sizes = norm(c, q), trace(c, multiply(c, q, conjugate(c, u))), norm(c, u)
     if sizes[0].is_exact and not sizes[0].has_value:
@@ -211,7 +213,8 @@ def root_on_plane(F: LocalField, c: Constants, q: Coordinates, u: Coordinates) -
     y = scale * sizes[2] / sizes[1]
     known = DIGITS if y.precision is None else min(DIGITS, y.precision)
     root = hensel(F, (K.one, -K.one, y.value), K.one, known)
-    return F.zero - scale * F.up_to(root, known)
+    x: LocalElement = F.zero - scale * F.up_to(root, known)
+    return x
 
 
 def _written(F: LocalField, q: Coordinates) -> str:

@@ -34,12 +34,12 @@ class Completion(Overfield[E]):
         return shared, (self.global_field.completion, "".join(str(self.place).split()))
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by the one that is completed, and the place."""
         at = self.place_data(self.place)
         return {"kind": "completion", "of": self.global_field.data, "place": at}
 
-    def place_data(self, place: Any) -> dict[str, Any]:
+    def place_data(self, place: object) -> dict[str, object]:
         """Return the place of the global field as JSON data."""
         return self.global_field.place_data(place)
 
@@ -54,7 +54,7 @@ class Completion(Overfield[E]):
         """
         return self.exact(self.global_field(x))
 
-    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+    def embed_from(self, source: Ring) -> Callable[[object], E] | None:
         """Return the inclusion of the global field."""
         return self if source == self.global_field else None
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError
@@ -28,7 +28,7 @@ class LocalElement(Element):
     __slots__ = ("precision", "value")
 
     field: LocalField
-    value: Any
+    value: Scalar
     precision: int | None
 
     def __init__(self, field: LocalField, value: Scalar, precision: int | None = None) -> None:

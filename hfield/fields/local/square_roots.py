@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
@@ -55,19 +55,19 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
     """Return the square root in characteristic 2 of an element without a root in the global field."""
     if x.is_exact:
         return None  # k is perfect, so that x = u² + t·v² is a square only if v = 0
-    slope = _derivative(x.value)
-    shift = F.order_of(_derivative(F.pi))
-    if slope.num != 0 and x.precision is not None and F.order_of(slope) - shift < x.precision - 1:
+    K: Ring[Scalar] = F.global_field
+    (t,) = K.variable_names
+    slope = K.derivative(x.value, t)
+    shift = F.order_of(K.derivative(F.pi, t))
+    if (
+        not K.is_zero(slope)
+        and x.precision is not None
+        and F.order_of(slope) - shift < x.precision - 1
+    ):
         return None  # a term of odd degree is known
     raise UndecidedError(
         f"whether {x} is a square in {F} is not decided by any number of digits: it must be given exactly"
     )
-
-
-def _derivative(x: Any) -> Any:
-    """Return dx/dt for a rational function in characteristic 2."""
-    n, d = x.num, x.den
-    return x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
 
 
 def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:

@@ -10,7 +10,7 @@ include 1 + O(πᵐ) beyond the pole of a. There a stands for its class in F/{y�
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
@@ -23,7 +23,7 @@ SYMBOL = "whether the algebra is split"
 
 
 def check_refinements(
-    F: LocalField, a: LocalElement, b: LocalElement, is_division: Callable[[Any, Any], bool]
+    F: LocalField, a: LocalElement, b: LocalElement, is_division: Callable[[Scalar, Scalar], bool]
 ) -> None:
     """Raise :class:`UndecidedError`, naming the digits, unless all numbers in a and b have one symbol.
 
@@ -66,8 +66,9 @@ def _added(F: LocalField, x: LocalElement) -> Iterator[tuple[int, Scalar]]:
                 yield m + 1, F.global_field(F.residues.lift(r)) * _power(F, m)
 
 
-def _power(F: LocalField, m: int) -> Any:
-    return F.global_field.power(F.pi, m)
+def _power(F: LocalField, m: int) -> Scalar:
+    power: Scalar = F.global_field.power(F.pi, m)
+    return power
 
 
 def _refuse(F: LocalField, x: LocalElement, n: int) -> NoReturn:
