@@ -7,7 +7,7 @@ import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from random import Random
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, ClassVar, SupportsComplex, SupportsFloat, TypeGuard, TypeVar
 
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
@@ -73,10 +73,9 @@ class FloatingPoint(ValueRing[N]):
 
     def inverse(self, x: N) -> N:
         """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""
-        found: Any = self.divide(self.one, x)
-        if not self.is_finite(found):
+        inverse = self.divide(self.one, x)
+        if not self.is_finite(inverse):
             raise NotInvertibleError(f"1/{self.text(x)} is too large for {self}")
-        inverse: N = found
         return inverse
 
     def divide(self, x: N, y: N) -> N:
@@ -115,9 +114,10 @@ class FloatingPoint(ValueRing[N]):
             )
         return out
 
-    def array_units(self, values: object) -> Any:
+    def array_units(self, values: np.ndarray) -> np.ndarray:
         """Return a bool array: which entries are not 0."""
-        return values != 0
+        units: np.ndarray = values != 0
+        return units
 
     def array_inverse(self, values: np.ndarray) -> np.ndarray:
         """Invert an array of nonzero entries elementwise."""
@@ -141,7 +141,7 @@ class Floats(FloatingPoint[float]):
     dtype, kinds = "float64", "iubf"
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The kind of the ring, as JSON data."""
         return {"kind": "floats"}
 
@@ -153,7 +153,7 @@ class Floats(FloatingPoint[float]):
         """Return whether x is neither infinite nor NaN."""
         return math.isfinite(x)
 
-    def __call__(self, x: Any) -> float:
+    def __call__(self, x: object) -> float:
         """Turn a real number into the nearest float, read a text.
 
         Raises :class:`CoercionError`; NaN and infinity are refused.
@@ -169,7 +169,7 @@ class Floats(FloatingPoint[float]):
                 return self.finite(float(number))
             except OverflowError:
                 raise self.not_finite(shorten(number_text(number))) from None
-        if isinstance(x, float) or type(x).__name__ in REAL_TYPES:
+        if isinstance(x, float) or _is_real(x):
             return self.finite(float(x))
         if is_of_sympy(x):
             value: float = self.foreign(x)
@@ -224,7 +224,7 @@ class Floats(FloatingPoint[float]):
             return rf"{mantissa} \cdot 10^{{{int(exponent)}}}"
         return text.replace("-", "−") if style == "unicode" else text
 
-    def scalar(self, x: Any) -> float:
+    def scalar(self, x: SupportsFloat) -> float:
         """Turn an entry of an array into a Python float."""
         return float(x)
 
@@ -242,7 +242,7 @@ class ComplexFloats(FloatingPoint[complex]):
     dtype, kinds = "complex128", "iubfc"
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The kind of the ring, as JSON data."""
         return {"kind": "complex floats"}
 
@@ -259,7 +259,7 @@ class ComplexFloats(FloatingPoint[complex]):
         """Return whether x is neither infinite nor NaN."""
         return cmath.isfinite(x)
 
-    def __call__(self, x: Any) -> complex:
+    def __call__(self, x: object) -> complex:
         """Turn a number into the nearest complex float, read a text.
 
         Raises :class:`CoercionError`; NaN and infinity are refused.
@@ -267,7 +267,7 @@ class ComplexFloats(FloatingPoint[complex]):
         x = unwrap(x)
         if isinstance(x, str):
             return self.finite(self.parse(x))
-        if isinstance(x, complex) or type(x).__name__ in ("complex64", "clongdouble"):
+        if isinstance(x, complex) or _is_complex(x):
             return self.finite(complex(x))
         if is_of_sympy(x):
             value: complex = self.foreign(x)
@@ -326,9 +326,17 @@ class ComplexFloats(FloatingPoint[complex]):
             terms.append((imaginary, [("I", 1)]))
         return sum_text(terms, style)
 
-    def scalar(self, x: Any) -> complex:
+    def scalar(self, x: SupportsComplex) -> complex:
         """Turn an entry of an array into a Python number."""
         return complex(x)
+
+
+def _is_real(x: object) -> TypeGuard[SupportsFloat]:
+    return type(x).__name__ in REAL_TYPES
+
+
+def _is_complex(x: object) -> TypeGuard[SupportsComplex]:
+    return type(x).__name__ in ("complex64", "clongdouble")
 
 
 def _checked(name: str, function: Callable[..., N], what: str) -> Callable[..., N]:

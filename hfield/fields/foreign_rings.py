@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeGuard
 
 from hfield.errors import RingError, shorten
 from hfield.fields.base.from_sympy import is_of_sympy
 
 if TYPE_CHECKING:
+    import galois
     import sympy
+    from sympy.polys.domains.domain import Domain
 
 
-def name_of_foreign_ring(spec: Any) -> str | None:
+def name_of_foreign_ring(spec: object) -> str | None:
     """Return the name of the ring that a domain of sympy or a field of galois is; None for other objects.
 
     Raises :class:`RingError` for one that is not offered, or that may mean another ring than its text.
     """
     if isinstance(spec, type) and hasattr(spec, "irreducible_poly"):
         return _of_galois(spec)
-    if not (is_of_sympy(spec) and hasattr(spec, "is_Exact") and hasattr(spec, "characteristic")):
+    if not _is_domain(spec):
         return None
     name = _DOMAINS.get(type(spec).__name__)
     if name is None:
@@ -28,7 +30,11 @@ def name_of_foreign_ring(spec: Any) -> str | None:
     return name(spec)
 
 
-def _of_galois(field: Any) -> str:
+def _is_domain(x: object) -> TypeGuard[Domain]:
+    return is_of_sympy(x) and hasattr(x, "is_Exact") and hasattr(x, "characteristic")
+
+
+def _of_galois(field: type[galois.FieldArray]) -> str:
     p, n = int(field.characteristic), int(field.degree)
     if n == 1:
         return f"GF({p})"
@@ -37,7 +43,7 @@ def _of_galois(field: Any) -> str:
     return f"GF({p}^{n},{'+'.join(terms)})"
 
 
-def _of_residues(domain: Any) -> str:
+def _of_residues(domain: Domain) -> str:
     n = int(domain.mod)
     from hfield.core.primality import is_prime
 
@@ -49,29 +55,29 @@ def _of_residues(domain: Any) -> str:
     )
 
 
-def _of_floats(domain: Any) -> str:
+def _of_floats(domain: Domain) -> str:
     raise RingError(
         f"sympy.{domain} has floats: write 'RDF' for floats, 'RR' or 'CC' for the algebraic numbers"
     )
 
 
-def _of_polynomials(domain: Any) -> str:
+def _of_polynomials(domain: Domain) -> str:
     return f"{name_of_foreign_ring(domain.domain)}[{_variables(domain)}]"
 
 
-def _of_fractions(domain: Any) -> str:
+def _of_fractions(domain: Domain) -> str:
     base = name_of_foreign_ring(domain.domain)
     return f"Frac({base}[{_variables(domain)}])"
 
 
-def _variables(domain: Any) -> str:
+def _variables(domain: Domain) -> str:
     names = [getattr(x, "name", None) for x in domain.symbols]
     if None in names:
         raise RingError(f"{shorten(domain)} of sympy: expected symbols as its variables")
     return ",".join(map(str, names))
 
 
-def _of_algebraic(domain: Any) -> str:
+def _of_algebraic(domain: Domain) -> str:
     """Return the number field by the names of its generators, or by the polynomial of its generator."""
     import sympy
 
@@ -89,7 +95,7 @@ def _of_algebraic(domain: Any) -> str:
     return f"QQ[s]/({'+'.join(terms)})"
 
 
-def _root(x: Any) -> sympy.Expr:
+def _root(x: sympy.Expr) -> sympy.Expr:
     """Return the value of an algebraic number of sympy, which may have another name."""
     while hasattr(x, "alias"):
         x = x.root
@@ -131,7 +137,7 @@ def _order_of_principal_root(x: sympy.Expr) -> int | None:
     return None
 
 
-_DOMAINS: dict[str, Callable[[Any], str]] = {
+_DOMAINS: dict[str, Callable[[Domain], str]] = {
     "IntegerRing": lambda _: "ZZ",
     "FLINTIntegerRing": lambda _: "ZZ",
     "GMPYIntegerRing": lambda _: "ZZ",

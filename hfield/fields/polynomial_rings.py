@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable, Mapping
 from fractions import Fraction
 from math import comb
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -31,7 +31,8 @@ from hfield.fields.rationals.ring import QQ, ZZ
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.base.flint_types import Coefficient, SparsePolynomial
+    from hfield.fields.base.flint_types import Coefficient, SparseContext, SparsePolynomial
+    from hfield.fields.base.ring import Embedding, S
 
 
 MAX_VARIABLES = 64
@@ -64,7 +65,7 @@ class PolynomialRing(Ring):
         return shared, (type(self), self.base, self.variables)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The ring by its coefficients and its variables."""
         variables = list(self.variables)
         return {"kind": "polynomials", "base": self.base.data, "variables": variables}
@@ -243,21 +244,21 @@ class PolynomialRing(Ring):
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[SparsePolynomial], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[SparsePolynomial], S]:
         """Return the homomorphism that maps the variables to these images."""
         coefficient = below(self.base, target)
         gens = [images[name] for name in self.variables]
-        powers: dict[tuple[int, int], Any] = {}
+        powers: dict[tuple[int, int], S] = {}
 
-        def power(n: int, exponent: int) -> Any:
+        def power(n: int, exponent: int) -> S:
             if (n, exponent) not in powers:
                 powers[n, exponent] = target.power(gens[n], exponent)
             return powers[n, exponent]
 
-        def value(x: SparsePolynomial) -> Any:
+        def value(x: SparsePolynomial) -> S:
             total = target.zero
             for exponents, c in x.terms():
                 term = coefficient(self.base(int(c) if self.characteristic else c))
@@ -322,7 +323,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
     return shared(PolynomialRing, base, variables)
 
 
-def flint_context(base: Ring, variables: tuple[str, ...]) -> Any:
+def flint_context(base: Ring, variables: tuple[str, ...]) -> SparseContext:
     """Return what flint makes polynomials in these variables with, over ZZ, QQ or GF(p)."""
     order = flint.Ordering.deglex
     if base == ZZ:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import NotInvertibleError, RingError, UndecidedError, shorten
 from hfield.fields.base.printing import blackboard
@@ -20,6 +20,8 @@ from hfield.fields.linear_algebra.echelon import null_space, solution
 if TYPE_CHECKING:
     import sympy
 
+    from hfield.fields.base.flint_types import Coefficient
+
 
 class QuotientRing(SimpleExtension):
     """R[x]/(f); ``gen`` is the class of x.
@@ -34,7 +36,7 @@ class QuotientRing(SimpleExtension):
 
     is_field = False
 
-    def __init__(self, base: Ring, gen_name: str, modulus: Sequence[Any]) -> None:
+    def __init__(self, base: Ring, gen_name: str, modulus: Sequence[Coefficient]) -> None:
         nameless = SimpleExtension("", "", base, gen_name, modulus)
         shown = nameless.text(ExtensionElement(nameless, modulus))
         self._modulus_text = shown
@@ -46,7 +48,7 @@ class QuotientRing(SimpleExtension):
         return build, (self.base, self.gen_name, self._modulus_text)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The ring below, the polynomial, low degree first, and the name of the class of x."""
         return {**super().data, "kind": "quotient ring"}
 
@@ -85,7 +87,7 @@ class QuotientRing(SimpleExtension):
         gen = sympy.I if self.gen_name == "I" else symbol(str(self.gen_name), symbols)
         return polynomial_in(gen, (self.base.to_sympy(c, symbols) for c in x.coefficients))
 
-    def _rows(self, x: ExtensionElement) -> list[list[Any]]:
+    def _rows(self, x: ExtensionElement) -> list[list[Coefficient]]:
         """Return the matrix of the multiplication by x over the fractions of R: columns are x·genⁿ."""
         F, out = self.base.fractions or self.base, []
         for _ in range(self.degree):
@@ -97,10 +99,11 @@ class QuotientRing(SimpleExtension):
         """Return 1/x. Raises :class:`NotInvertibleError`."""
         F = self.base.fractions or self.base
         found = solution(F, self._rows(x), [[F(c)] for c in self.one.coefficients])
-        values = None if found is None else [_back(self.base, row[0]) for row in found]
-        if values is None or None in values:
+        values = (_back(self.base, row[0]) for row in found or [])
+        inverse = [c for c in values if c is not None]
+        if len(inverse) < self.degree:
             raise NotInvertibleError(f"{shorten(self.text(x))} has no inverse in {self.name}")
-        return ExtensionElement(self, values)
+        return ExtensionElement(self, inverse)
 
     def annihilator(self, x: ExtensionElement) -> ExtensionElement | None:
         """Return some nonzero y with x·y = 0, or None."""
@@ -114,7 +117,7 @@ class QuotientRing(SimpleExtension):
             for c in y:
                 common = common * int(c.q) // _gcd(common, int(c.q))
             y = [c * common for c in y]
-        return ExtensionElement(self, [_back(self.base, c) for c in y])
+        return ExtensionElement(self, [self.base(c) for c in y])
 
     @property
     def level(self) -> Fact:
@@ -138,7 +141,7 @@ def _gcd(a: int, b: int) -> int:
     return a
 
 
-def _back(base: Ring, c: Any) -> Any:
+def _back(base: Ring, c: Coefficient) -> Coefficient | None:
     """Return an element of the field of fractions as one of R, or None."""
     if base.is_field:
         return c

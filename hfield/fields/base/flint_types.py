@@ -17,4 +17,7 @@ Polynomial: TypeAlias = (
 SparsePolynomial: TypeAlias = (
     flint.fmpz_mpoly | flint.fmpq_mpoly | flint.nmod_mpoly | flint.fmpz_mod_mpoly
 )
+SparseContext: TypeAlias = (
+    flint.fmpz_mpoly_ctx | flint.fmpq_mpoly_ctx | flint.nmod_mpoly_ctx | flint.fmpz_mod_mpoly_ctx
+)
 AnyPolynomial: TypeAlias = Polynomial | SparsePolynomial

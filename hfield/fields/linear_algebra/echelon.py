@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import flint
 
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.linear_algebra.syzygies import Row
 
 
-def echelon(ring: Ring, rows: Sequence[Row]) -> tuple[list[Row], list[int]]:
+def echelon(ring: Ring[E], rows: Sequence[Row[E]]) -> tuple[list[Row[E]], list[int]]:
     """Return the rows, none 0, of the reduced echelon form over a field, and the columns of its pivots."""
     if not rows or not rows[0]:
         return [], []
@@ -21,15 +21,15 @@ def echelon(ring: Ring, rows: Sequence[Row]) -> tuple[list[Row], list[int]]:
             found, rank = flint.fmpq_mat(len(rows), len(rows[0]), entries).rref()
         else:
             found, rank = flint.nmod_mat(len(rows), len(rows[0]), entries, one.modulus()).rref()
-        reduced: list[Row] = found.tolist()[:rank]
+        reduced: list[Row[E]] = found.tolist()[:rank]
     else:
         reduced = _eliminated(ring, rows)
     pivots = [next(n for n, x in enumerate(row) if not ring.is_zero(x)) for row in reduced]
     return reduced, pivots
 
 
-def _eliminated(ring: Ring, rows: Sequence[Row]) -> list[Row]:
-    rest, done = [list(row) for row in rows], list[Row]()
+def _eliminated(ring: Ring[E], rows: Sequence[Row[E]]) -> list[Row[E]]:
+    rest, done = [list(row) for row in rows], list[Row[E]]()
     for column in range(len(rows[0])):
         pivot = next((row for row in rest if not ring.is_zero(row[column])), None)
         if pivot is None:
@@ -45,7 +45,7 @@ def _eliminated(ring: Ring, rows: Sequence[Row]) -> list[Row]:
     return done
 
 
-def null_space(ring: Ring, rows: Sequence[Row], width: int) -> list[Row]:
+def null_space(ring: Ring[E], rows: Sequence[Row[E]], width: int) -> list[Row[E]]:
     """Return a basis of the v of ``width`` entries with rows·v = 0, over a field."""
     reduced, pivots = echelon(ring, rows)
     out = []
@@ -60,12 +60,12 @@ def null_space(ring: Ring, rows: Sequence[Row], width: int) -> list[Row]:
     return out
 
 
-def solution(ring: Ring, rows: Sequence[Row], right: Sequence[Row]) -> list[Row] | None:
+def solution(ring: Ring[E], rows: Sequence[Row[E]], right: Sequence[Row[E]]) -> list[Row[E]] | None:
     """Return some X with rows·X = right, over a field, or None where there is none."""
     width, extra = len(rows[0]), len(right[0])
     if len(rows) == width and isinstance(ring.one, flint.fmpq):
         try:  # Dixon's lifting is quicker than elimination
-            found: list[Row] = flint.fmpq_mat(rows).solve(flint.fmpq_mat(right)).tolist()
+            found: list[Row[E]] = flint.fmpq_mat(rows).solve(flint.fmpq_mat(right)).tolist()
             return found
         except ZeroDivisionError:
             pass

@@ -1,12 +1,12 @@
 """Kernels and solutions of linear systems over a base ring."""
 
 from hfield.errors import NotInvertibleError
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.linear_algebra.syzygies import Row, relations
 from hfield.fields.linear_algebra.vectors import dot
 
 
-def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
+def kernel(ring: Ring[E], rows: list[Row[E]], width: int) -> list[Row[E]]:
     """Return a basis of ``{v : rows·v = 0}``, of ``width`` columns; generators where it need not be free.
 
     Over a field by elimination, which over other rings goes on as long as a pivot is a unit, or stands
@@ -14,7 +14,7 @@ def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
     :class:`UndecidedError` where that finds no generators.
     """
     rows = [list(r) for r in rows]
-    pivots: dict[int, Row] = {}
+    pivots: dict[int, Row[E]] = {}
     while True:
         rows = [r for r in rows if not all(ring.is_zero(x) for x in r)]
         step = _unit_pivot(ring, rows) or _lonely_pivot(ring, rows)
@@ -43,7 +43,7 @@ def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
     return basis
 
 
-def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
+def _unit_pivot(ring: Ring[E], rows: list[Row[E]]) -> tuple[Row[E], int] | None:
     """Scale some row so that it has a 1, and return it with the column of the 1."""
     for row in rows:
         for column, x in enumerate(row):
@@ -57,7 +57,7 @@ def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
     return None
 
 
-def _lonely_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
+def _lonely_pivot(ring: Ring[E], rows: list[Row[E]]) -> tuple[Row[E], int] | None:
     """Replace an equation ``(0 … x … 0)``, x not a zero divisor, by the equivalent ``(0 … 1 … 0)``."""
     for row in rows:
         support = [i for i, x in enumerate(row) if not ring.is_zero(x)]

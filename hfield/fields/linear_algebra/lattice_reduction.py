@@ -11,14 +11,17 @@ import itertools
 import math
 import random
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
+
+if TYPE_CHECKING:
+    from hfield.core.product import S
 
 Integers = list[list[int]]
 
 
-def combination(coefficients: Sequence[int], rows: Sequence[Sequence[Any]]) -> list[Any]:
+def combination(coefficients: Sequence[int], rows: Sequence[Sequence[S]]) -> list[S]:
     """Return the sum of rows times integers; the rows may hold elements of any field."""
     terms = [[x * n for x in row] for n, row in zip(coefficients, rows, strict=True) if n]
     if not terms:
@@ -73,7 +76,7 @@ def _turned(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
     return v
 
 
-def real_coordinates(v: Sequence[Any], real: int) -> list[Any]:
+def real_coordinates(v: Sequence[complex], real: int) -> list[float]:
     """Return one real number for each of the first coordinates, real or imaginary, and two for the others."""
     return [
         t for k, z in enumerate(v) for t in ([z.real + z.imag] if k < real else [z.real, z.imag])

@@ -5,20 +5,26 @@ k[x] columns are reduced by division with remainder; over other polynomial rings
 columns of rank 1 have one relation, divided by its gcd; over a small finite ring all vectors are tried.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Callable, Hashable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
-from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.base.modular import Modular
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.linear_algebra.vectors import dot
 from hfield.fields.polynomial_rings import PolynomialRing
 from hfield.fields.rationals.ring import ZZ
 
-Row = list[Any]
+if TYPE_CHECKING:
+    import flint
+
+    from hfield.fields.base.flint_types import SparsePolynomial
+
+Row = list[E]
 TRIALS = 50_000
 """The greatest number of vectors over a finite ring that are tried."""
 
@@ -110,7 +116,9 @@ def _bezout(a: int, b: int) -> tuple[int, int, int, int]:
 # --- ℤ and k[x] -----------------------------------------------------------------------------------
 
 
-def _euclidean(ring: Ring, rows: list[Row], width: int, size: Callable[[Any], Any]) -> list[Row]:
+def _euclidean(
+    ring: Ring, rows: list[Row], width: int, size: Callable[[flint.fmpz | SparsePolynomial], int]
+) -> list[Row]:
     """Return a basis of the kernel over a ring with division, by invertible steps on columns."""
     height = len(rows)
     columns = [
@@ -138,7 +146,7 @@ def _positive(ring: Ring, v: Row) -> Row:
 # --- other rings ----------------------------------------------------------------------------------
 
 
-def _blocks(ring: Ring, rows: list[Row], width: int) -> list[list[int]]:
+def _blocks(ring: Ring[E], rows: list[Row[E]], width: int) -> list[list[int]]:
     """Return the columns in groups, such that no row has entries in two of them."""
     groups = [{n} for n in range(width)]
     for row in rows:
@@ -172,15 +180,15 @@ def _block(ring: Ring, rows: list[Row], width: int) -> list[Row]:
 
 
 def generators(
-    ring: Ring, vectors: Iterable[Row], key: Callable[[Scalar], Hashable] | None = None
-) -> list[Row]:
+    ring: Ring[E], vectors: Iterable[Row[E]], key: Callable[[E], Hashable] | None = None
+) -> list[Row[E]]:
     """Return some of the vectors over a finite ring, none of them superfluous, that generate all.
 
     ``key`` tells scalars apart, by default ``ring.key``; another one computes modulo an ideal.
     """
     key = key or ring.key
-    chosen: list[Row] = []
-    seen: dict[Any, Row] = {}
+    chosen: list[Row[E]] = []
+    seen: dict[tuple[Hashable, ...], Row[E]] = {}
     for v in vectors:
         if tuple(map(key, v)) not in (seen or _span(ring, [], len(v), key)):
             chosen.append(v)
@@ -193,8 +201,8 @@ def generators(
 
 
 def _span(
-    ring: Ring, vectors: list[Row], width: int, key: Callable[[Scalar], Hashable]
-) -> dict[Any, Row]:
+    ring: Ring[E], vectors: list[Row[E]], width: int, key: Callable[[E], Hashable]
+) -> dict[tuple[Hashable, ...], Row[E]]:
     zero = [ring.zero] * width
     span = {tuple(map(key, zero)): zero}
     for v in vectors:
