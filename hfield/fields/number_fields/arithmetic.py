@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import Any
 
 from hfield.core.factorisation import Factors, known_primes
 from hfield.core.primality import primes
@@ -56,12 +55,12 @@ class NumberFieldArithmetic(GlobalField):
         """Return the places with a symbol of −1; the norms of a and b are factored."""
         return ramified_places_number_field(form.a, form.b)
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> tuple[PrimeIdeal, ...]:
+    def discriminant(self, ramified: tuple[object, ...]) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals, whose product it is."""
-        return tuple(v for v in ramified if v.is_finite)
+        return tuple(v for v in ramified if isinstance(v, PrimeIdeal))
 
     def with_ramification(
-        self, places: Sequence[Any], infinite: bool | None = None
+        self, places: Sequence[Place | str], infinite: bool | None = None
     ) -> tuple[FieldElement, FieldElement]:
         """Return constants by local classes and one more prime ideal."""
         if infinite is not None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
@@ -25,6 +25,7 @@ from hfield.fields.number_fields.residues import local_place
 
 if TYPE_CHECKING:
     from hfield.fields.base.finite_places import FinitePlace
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.fields.number_fields.ring import NumberField
 
@@ -35,7 +36,7 @@ class EmbeddedElement(Element):
     __slots__ = ("value",)
 
     field: InfiniteCompletion
-    value: Any
+    value: FieldElement
 
     def __init__(self, field: InfiniteCompletion, value: Scalar) -> None:
         object.__setattr__(self, "field", field)

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import product
 from operator import index
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -100,7 +100,7 @@ def ideal(ring: NumberField, *generators: object) -> FractionalIdeal:
     Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
     """
     frame = integers(ring)
-    things: list[Any] = list(generators)
+    things: Sequence[object] = generators
     if len(things) == 1:
         (one,) = things
         if isinstance(one, FractionalIdeal) and one.ring == ring:
@@ -127,7 +127,7 @@ def _generators(text: str) -> list[str]:
     return [part for part in split(inside, ",") if part.strip()]
 
 
-def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
+def _rows(frame: MaximalOrder, x: object) -> list[flint.fmpq]:
     """Return the coordinates of a basis of the ideal of one generator or ideal; nothing for 0."""
     if isinstance(x, FractionalIdeal):
         if x.ring != frame.field:

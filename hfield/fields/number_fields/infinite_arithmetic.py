@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import Factors
 from hfield.core.product import Constants, Coordinates, Scalar
@@ -16,7 +16,7 @@ from hfield.fields.quadratic_forms.normal_forms import NormalForm
 
 if TYPE_CHECKING:
     from hfield.fields.local.element import LocalElement
-    from hfield.fields.number_fields.completions import InfiniteCompletion
+    from hfield.fields.number_fields.completions import EmbeddedElement, InfiniteCompletion
 
 
 class InfiniteArithmetic(CompletionArithmetic):
@@ -44,9 +44,10 @@ class InfiniteArithmetic(CompletionArithmetic):
         a, b = (self.ring.text(x) for x in form.constants)
         return f"{a} and {b} are negative real numbers in {self.ring}"
 
-    def discriminant(self, ramified: tuple[object, ...]) -> Any:
+    def discriminant(self, ramified: tuple[object, ...]) -> EmbeddedElement:
         """Return 1: no prime ramifies."""
-        return self.ring.one
+        one: EmbeddedElement = self.ring.one
+        return one
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return an element of norm 0 over the number field, where it has one."""

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable
 from functools import cached_property, lru_cache
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -27,14 +27,17 @@ if TYPE_CHECKING:
 class LocalOrder:
     """A ℤ-order of a number field that is maximal at the prime p.
 
-    ``plain`` says that it is, at p, ℤ[s] for the generator s.
+    ``plain`` says that it is, at p, ℤ[s] for the generator s; an order that is not has ``rows``.
     """
+
+    rows: flint.fmpq_mat
 
     def __init__(self, field: NumberField, p: int) -> None:
         self.field, self.p = field, p
         scale, whole = integral_generator(field)
         self.plain = scale % p != 0 and dedekind(whole, p)
-        self.rows: Any = None if self.plain else _p_maximal(field, p)
+        if not self.plain:
+            self.rows = _p_maximal(field, p)
 
     @cached_property
     def basis(self) -> list[FieldElement]:
@@ -223,7 +226,7 @@ def _maximal(field: NumberField) -> tuple[flint.fmpq_mat, int]:
     scale, whole = integral_generator(field)
     n, discriminant = field.degree, int(whole.discriminant())
     orders = [local_order(field, p) for p, e in factorise(discriminant).items() if e > 1]
-    finer = [order.rows for order in orders if order.rows is not None]
+    finer = [order.rows for order in orders if not order.plain]
     rows = [[scale**i if i == j else 0 for j in range(n)] for i in range(n)]
     rows += [row for matrix in finer for row in matrix.tolist()]
     matrix = _by_degrees(rows, n)

@@ -72,7 +72,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return int(self.polynomial.degree())
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by its polynomial, low degree first, and the name of the root."""
         modulus = [rational_json(c) for c in self.polynomial.coeffs()]
         return {"kind": "number field", "modulus": modulus, "variable": self.gen_name}

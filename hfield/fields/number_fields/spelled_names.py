@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -78,7 +78,7 @@ class SpelledField(NumberField):
         return shared, (spelled, self.name)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by the numbers in its name; ζₙ and the roots are the principal ones."""
         texts, radicands = [n.text for n in self._numbers], [n.radicand for n in self._numbers]
         if len(texts) == 1 and radicands[0] is not None:

@@ -17,9 +17,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -36,6 +36,10 @@ from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.zeros_of_forms import ZeroSearch, expect_small_degree, not_met
 from hfield.fields.quadratic_forms.minimal_conics import Vector, kernel_at
+
+if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.number_fields.elements import FieldElement
 
 
 def isometry(
@@ -172,9 +176,10 @@ def _combination(scalars: Vector, rows: list[Vector]) -> Vector:
     return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
 
 
-def _value(form: Vector, u: Vector, v: Vector) -> Any:
+def _value(form: Vector, u: Vector, v: Vector) -> FieldElement:
     """Return half of Q(u + v) − Q(u) − Q(v), which is Q(u) for u = v."""
-    return dot([f * x for f, x in zip(form, u, strict=True)], v)
+    value: FieldElement = dot([f * x for f, x in zip(form, u, strict=True)], v)
+    return value
 
 
 def _singular(gram: list[Vector], place: LocalPlace, radical: list[Vector]) -> Vector:
@@ -202,7 +207,7 @@ def _zero(place: LocalPlace, squares: Vector, mixed: list[Vector]) -> Vector:
     """Return a zero modulo the prime of ``Σ squares[i]·xᵢ² + Σ mixed[i][j]·xᵢxⱼ``, i < j."""
     n, rng = len(squares), Random(1)
 
-    def value(x: Vector) -> Any:
+    def value(x: Vector) -> Polynomial:
         terms = [a * s % place.modulus * s for a, s in zip(squares, x, strict=True)]
         terms += [
             mixed[i][j] * x[i] % place.modulus * x[j]
@@ -214,7 +219,7 @@ def _zero(place: LocalPlace, squares: Vector, mixed: list[Vector]) -> Vector:
     for x in unit:
         if value(x) == 0:
             return x
-    planes: Iterable[Any] = itertools.combinations(unit, 2)
+    planes: Iterable[Sequence[Vector]] = itertools.combinations(unit, 2)
     if n > 2:
         more = (
             [[place.random(rng) for _ in range(n)] for _ in range(2)] for _ in itertools.count()

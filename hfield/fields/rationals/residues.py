@@ -16,39 +16,21 @@ if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Rational
 
 
-class PrimePlace:
-    """The place of ℚ at a prime p; elements of the residue field are ints modulo p.
-
-    Rational numbers are what ``number(over, under)`` makes, such as Fractions or flint's.
-    """
+class PrimeResidues:
+    """The residue field ℤ/p of a place; its elements are ints modulo p."""
 
     zero, one = 0, 1
     index = 1  # the valuation of p
 
-    def __init__(self, p: int, number: Callable[..., Scalar] = Fraction) -> None:
-        self._number = number
+    def __init__(self, p: int) -> None:
         self.below = self.modulus = self.order = p
         self.even = p == 2
-        self.uniformiser, self.inverse_uniformiser = number(p), number(1, p)
 
     def over_prime_field(self) -> list[int]:
         """Return a basis of the residue field over that with p elements."""
         return [self.one]
 
-    def lift(self, x: int) -> Scalar:
-        """Return a residue as a rational number."""
-        return self._number(x)
-
-    def valuation(self, x: Rational) -> int:
-        """Return the order of a nonzero rational number at p."""
-        over, under = int(x.numerator), int(x.denominator)
-        return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
-
-    def truncated(self, x: flint.fmpq, n: int) -> Fraction:
-        """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
-        return truncated(x, self.modulus, n)
-
-    def reduce(self, x: Rational) -> int:
+    def residue(self, x: Rational) -> int:
         """Return the class of a rational number whose denominator p does not divide."""
         return int(x.numerator) * self.inverse(int(x.denominator)) % self.modulus
 
@@ -85,6 +67,33 @@ class PrimePlace:
         h = b * self.inverse(2) % p
         root = self.sqrt(h * h - a * c)
         return None if root is None else ((root - h) % p, a)
+
+
+class PrimePlace(PrimeResidues):
+    """The place of ℚ at a prime p.
+
+    Rational numbers are what ``number(over, under)`` makes, such as Fractions or flint's.
+    """
+
+    reduce = PrimeResidues.residue
+
+    def __init__(self, p: int, number: Callable[..., Scalar] = Fraction) -> None:
+        super().__init__(p)
+        self._number = number
+        self.uniformiser, self.inverse_uniformiser = number(p), number(1, p)
+
+    def lift(self, x: int) -> Scalar:
+        """Return a residue as a rational number."""
+        return self._number(x)
+
+    def valuation(self, x: Rational) -> int:
+        """Return the order of a nonzero rational number at p."""
+        over, under = int(x.numerator), int(x.denominator)
+        return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
+
+    def truncated(self, x: flint.fmpq, n: int) -> Fraction:
+        """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
+        return truncated(x, self.modulus, n)
 
 
 def truncated(x: Rational, p: int, n: int) -> Fraction:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import remove
 from hfield.fields.finite.names import GF
@@ -19,7 +19,7 @@ from hfield.fields.number_fields.quadratic.places import (
     integer_coordinates,
     minimal_of_omega,
 )
-from hfield.fields.rationals.residues import PrimePlace, truncated
+from hfield.fields.rationals.residues import PrimeResidues, truncated
 
 if TYPE_CHECKING:
     import flint
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
 
 
-class DegreeOne(PrimePlace):
+class DegreeOne(PrimeResidues):
     """A prime ideal with residue field ℤ/p, where ω is ``root``. ``index`` is 2 if p ramifies, else 1.
 
     ``uniformiser`` and ``inverse_uniformiser`` have valuation 1 and −1 here, and the second is integral at
@@ -51,18 +51,18 @@ class DegreeOne(PrimePlace):
         """Return a residue as a number of the field."""
         return self.number_field(x)
 
-    def valuation(self, x: Any) -> int:
+    def valuation(self, x: FieldElement) -> int:
         """Return the order of a nonzero number at this prime."""
         return self.place.valuation(x)
 
-    def reduce(self, x: Any) -> int:
+    def reduce(self, x: FieldElement) -> int:
         """Return the class of a number that is integral here."""
         u, v = integer_coordinates(self.place.d, x)
         if u.denominator % self.modulus and v.denominator % self.modulus:
-            return (super().reduce(u) + super().reduce(v) * self.root) % self.modulus
+            return (self.residue(u) + self.residue(v) * self.root) % self.modulus
         return int(self.near(u, v, 1))
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: FieldElement, n: int) -> FieldElement:
         """Return what x is up to the n-th power of the ideal: rational, or u + v·π where p ramifies."""
         u, v = integer_coordinates(self.place.d, x)
         if self.index == 1:

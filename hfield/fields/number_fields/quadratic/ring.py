@@ -23,8 +23,11 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.squares import minus_one
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     import sympy
 
+    from hfield.fields.base.ring import S
     from hfield.fields.number_fields.places import Place
     from hfield.fields.number_fields.quadratic.places import (
         QuadraticComplexPlace,
@@ -54,7 +57,7 @@ class QuadraticField(NumberField):
         return shared, (type(self), self.d)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by the number under the root."""
         return {"kind": "quadratic field", "d": self.d}
 
@@ -73,9 +76,10 @@ class QuadraticField(NumberField):
         """Return nothing: I is a number."""
         return {}
 
-    def images_in(self, target: Ring) -> dict[str, Any]:
+    def images_in(self, target: Ring[S]) -> dict[str, S]:
         """Return what I is in a number field that has no such name, for functions with such constants."""
-        if self.d != -1 or not isinstance(target, NumberField):
+        is_number_field = isinstance(target, NumberField)
+        if self.d != -1 or not is_number_field:
             return {}
         root = target.sqrt(target(-1))
         return {} if root is None else {"I": root}
@@ -108,7 +112,7 @@ class QuadraticField(NumberField):
         """Return the text of √d."""
         return [self.text(self.gen, style)]
 
-    def generator_of(self, polynomial: Sequence[Any]) -> sympy.Expr | None:
+    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
         """Return the square root of d if this is its minimal polynomial, or None."""
         return sympy_of(self.as_surd(self.gen)) if list(polynomial) == [-self.d, 0, 1] else None
 
