@@ -105,14 +105,13 @@ class LabelArrays(RowArrays):
         """Run a loop that returns elements."""
         if self.compiles:
             return self.kernel(name)(*operands)[0]
-        return self.encode(self.by_arrays(name, *operands))
+        return self.encode(self.plain.elementwise(name, *map(self.coordinates, operands)))
 
     def _run_scalar(self, name: str, p: Rows) -> np.ndarray:
         """Run a loop that returns an array of the ring."""
         if self.compiles:
             return self.ring_array(self.kernel(name)(p)[0][0])
-        found: np.ndarray = self.by_arrays(name, p)
-        return found
+        return self.by_arrays(name, p)
 
     # --- arithmetic ----------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -41,9 +41,10 @@ class RowArrays(BatchStorage[Rows]):
         """The storage by arrays of the ring: the reference, and the fallback without LLVM."""
         return BatchStorage(self.ring, self.constants)
 
-    def by_arrays(self, operation: str, *operands: Rows) -> Any:
-        """Do as the plain storage does, on arrays of the ring."""
-        return getattr(self.plain, operation)(*map(self.coordinates, operands))
+    def by_arrays(self, operation: str, *operands: Rows) -> np.ndarray:
+        """Return the norms, traces, units or zeros as the plain storage does, by arrays of the ring."""
+        found: np.ndarray = getattr(self.plain, operation)(*map(self.coordinates, operands))
+        return found
 
     def program(self, name: str) -> tuple[Program, Sides]:
         """Return the program of an operation, and the names that the rows of its operands have in it."""
