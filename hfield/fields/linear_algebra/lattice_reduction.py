@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import flint
 
 if TYPE_CHECKING:
-    from hfield.core.product import S
+    from hfield.fields.base.ring import S
 
 Integers = list[list[int]]
 
