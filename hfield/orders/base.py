@@ -23,7 +23,7 @@ from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import primes
 from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
-from hfield.fields.base.finite_places import FinitePlace, Residue
+from hfield.fields.base.finite_places import Residue, ResiduePlace
 from hfield.fields.base.residue_polynomials import coefficients, residues
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import ClassGroup, class_group
@@ -92,13 +92,6 @@ class Counts(NamedTuple):
 
     numbers: dict[tuple[Integer, ...], int]
     den: Integer
-
-
-class ResiduePlace(FinitePlace, Protocol):
-    """The residue field of a prime above the prime number ``below``, of valuation ``index`` there."""
-
-    below: int
-    index: int
 
 
 class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random import Random
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self, TypeGuard
 
 
 class Residue(Protocol):
@@ -78,3 +78,15 @@ class FinitePlace(Protocol[E, K]):
 
     def quadratic_root(self, a: K, b: K, c: K) -> tuple[K, K] | None:
         """Return ``(x, y)`` ≠ (0, 0) with ``a·x² + b·xy + c·y² = 0`` among the residues, or None."""
+
+
+class ResiduePlace(FinitePlace[E, K], Protocol[E, K]):
+    """A place above the prime number ``below``, which has the valuation ``index`` there."""
+
+    below: int
+    index: int
+
+
+def is_above_prime(place: FinitePlace[E, K]) -> TypeGuard[ResiduePlace[E, K]]:
+    """Return whether a place is one of a number field."""
+    return hasattr(place, "below")

@@ -109,8 +109,7 @@ class LocalArithmetic(CompletionArithmetic):
 
     def residues(self, place: object) -> FinitePlace:
         """Return the place of the global field with its residue field."""
-        at: FinitePlace = self.ring.residues
-        return at
+        return self.ring.residues
 
     def unit_and_prime(self, c: Constants, place: object) -> tuple[Vector, Vector] | None:
         """Return u and j for the values of the constants, which prove nothing of constants with an O()."""

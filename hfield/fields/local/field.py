@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.fields.base.finite_places import FinitePlace, is_above_prime
 from hfield.fields.base.printing import is_sum, parentheses, power_text
 from hfield.fields.base.ring import Fact, Ring
 from hfield.fields.base.roots import integral, irreducible_factors, near_root
@@ -42,12 +43,12 @@ class LocalField(Completion[LocalElement]):
     theory = "local field"
 
     def __init__(
-        self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any
+        self, name: str, words: str, global_field: Ring, place: Hashable, residues: FinitePlace
     ) -> None:
         super().__init__(name, words, global_field, place)
         self.residues = residues
         self.pi = global_field(residues.uniformiser)
-        if self.characteristic == 0 and residues.index == 1:
+        if is_above_prime(residues) and residues.index == 1:
             self.pi = global_field(residues.below)
 
     # --- what the place knows --------------------------------------------------------------------
@@ -55,7 +56,8 @@ class LocalField(Completion[LocalElement]):
     @property
     def doubling(self) -> int:
         """The valuation of 2, 0 unless the residue field has characteristic 2; 0 in characteristic 2, too."""
-        return int(self.residues.index) if self.residues.even and not self.characteristic else 0
+        at = self.residues
+        return at.index if at.even and is_above_prime(at) else 0
 
     @property
     def square_digits(self) -> int:
@@ -167,11 +169,13 @@ class LocalField(Completion[LocalElement]):
 
         Raises :class:`UndecidedError` where there are others, and over other fields.
         """
-        if not all(x.is_exact and isinstance(x.value, flint.fmpq) for x in coefficients):
+        at = self.residues
+        rational = all(x.is_exact and isinstance(x.value, flint.fmpq) for x in coefficients)
+        if not (rational and is_above_prime(at)):
             return super().roots(coefficients)
         factors = irreducible_factors([x.value for x in coefficients])
         for g in factors:
-            if g.degree() > 1 and near_root(integral(g), self.residues.below) is not None:
+            if g.degree() > 1 and near_root(integral(g), at.below) is not None:
                 raise UndecidedError(f"{g} has roots in {self} that are not rational numbers")
         return [self(-g[0]) for g in factors if g.degree() == 1]
 

@@ -124,7 +124,7 @@ def minus_one(F: LocalField) -> tuple[LocalElement, ...]:
     root = F.sqrt(-F.one)
     if root is not None:
         return (root,)
-    if F.doubling and F.doubling * (F.residues.order.bit_length() - 1) % 2:
+    if F.doubling and F.doubling * len(F.residues.over_prime_field()) % 2:  # the degree over ℚ₂
         root = F.sqrt(F(-7))
         assert root is not None  # −7 is 1 modulo 8
         return F.one, F.one, F(2), root
