@@ -429,7 +429,8 @@ def run(count: int, seed: int, output: Path) -> None:
     Mutants that are already in the output are skipped.
     """
     noted = json.loads(REACH.read_text(encoding="utf-8"))
-    tests = {test.name: test for test in (TimedTest(*test) for test in noted["tests"])}
+    timed = [TimedTest(*test) for test in noted["tests"]]
+    tests = {test.name: test for test in timed if not needs_browser(test.file)}
     done: list[dict[str, object]] = []
     if output.exists():
         done = json.loads(output.read_text(encoding="utf-8"))
@@ -451,6 +452,11 @@ def run(count: int, seed: int, output: Path) -> None:
             print(len(done), result, flush=True)
     quick, full = (sum(bool(m[name]) for m in done) for name in ("quick", "full"))
     print(f"of {len(done)} mutants the quick suite notices {quick}, the full one {full}")
+
+
+def needs_browser(file: str) -> bool:
+    """Return whether tests draw in Chromium, which may wait for ever in a fork with limited memory."""
+    return file.endswith(".py") and "tests.anim.chromium" in (ROOT / file).read_text(encoding="utf-8")
 
 
 def compile_tests(copy: Path) -> None:
