@@ -4,15 +4,24 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Generic
 
 if TYPE_CHECKING:
+    from typing import Any
+
     import numpy as np
+    from typing_extensions import TypeVar
 
     from hfield.compiling.instructions import Code
 
+    P = TypeVar("P", default=Any)  # ``Arithmetic`` alone: one whose payloads are only handed on
+else:
+    from typing import TypeVar
 
-class Arithmetic(ABC):
+    P = TypeVar("P")  # what stands for a number while the loop is written
+
+
+class Arithmetic(ABC, Generic[P]):
     """The arithmetic of a ring in a compiled loop, on payloads of its own type.
 
     An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
@@ -42,55 +51,55 @@ class Arithmetic(ABC):
         return ()
 
     @abstractmethod
-    def load(self, code: Code, raw: str) -> Any:
+    def load(self, code: Code, raw: str) -> P:
         """Read a number of a row."""
 
     @abstractmethod
-    def store(self, code: Code, x: Any) -> str:
+    def store(self, code: Code, x: P) -> str:
         """Return the value to write into a row."""
 
     @abstractmethod
-    def constant(self, code: Code, value: Any) -> Any:
-        """Return a number that is known at compile time."""
+    def constant(self, code: Code, value: int) -> P:
+        """Return an integer that is known at compile time."""
 
     @abstractmethod
-    def add(self, code: Code, x: Any, y: Any) -> Any:
+    def add(self, code: Code, x: P, y: P) -> P:
         """Return x + y."""
 
     @abstractmethod
-    def subtract(self, code: Code, x: Any, y: Any) -> Any:
+    def subtract(self, code: Code, x: P, y: P) -> P:
         """Return x − y."""
 
     @abstractmethod
-    def multiply(self, code: Code, x: Any, y: Any) -> Any:
+    def multiply(self, code: Code, x: P, y: P) -> P:
         """Return x·y."""
 
     @abstractmethod
-    def negate(self, code: Code, x: Any) -> Any:
+    def negate(self, code: Code, x: P) -> P:
         """Return −x."""
 
 
 @dataclass(frozen=True)
-class Symbol:
+class Symbol(Generic[P]):
     """A payload with ``+ − ×``: a program that is evaluated on symbols writes its own code."""
 
-    arithmetic: Arithmetic
+    arithmetic: Arithmetic[P]
     code: Code
-    payload: Any
+    payload: P
 
-    def _made(self, payload: Any) -> Symbol:
+    def _made(self, payload: P) -> Symbol[P]:
         return Symbol(self.arithmetic, self.code, payload)
 
-    def __add__(self, other: Symbol) -> Symbol:
+    def __add__(self, other: Symbol[P]) -> Symbol[P]:
         return self._made(self.arithmetic.add(self.code, self.payload, other.payload))
 
-    def __sub__(self, other: Symbol) -> Symbol:
+    def __sub__(self, other: Symbol[P]) -> Symbol[P]:
         return self._made(self.arithmetic.subtract(self.code, self.payload, other.payload))
 
-    def __mul__(self, other: Symbol) -> Symbol:
+    def __mul__(self, other: Symbol[P]) -> Symbol[P]:
         return self._made(self.arithmetic.multiply(self.code, self.payload, other.payload))
 
-    def __neg__(self) -> Symbol:
+    def __neg__(self) -> Symbol[P]:
         return self._made(self.arithmetic.negate(self.code, self.payload))
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from ctypes import addressof, c_int64
 from math import prod
-from typing import Any
 
 import numpy as np
 
@@ -22,7 +21,7 @@ THREADED_ELEMENTS = 500_000  # from so many elements on a second thread is woken
 ELEMENTS_PER_THREAD = 1 << 16  # elements for which one more thread is woken
 # The compiled loops of each program in each arithmetic, by which operands are single elements, and by
 # whether they write past the caches.
-_loops: dict[Any, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
+_loops: dict[Hashable, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
 _announce = machine_code.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield precompile` does it beforehand)"
 )
@@ -47,7 +46,9 @@ class ArrayProgram:
         constants: Mapping[str, float],
     ) -> None:
         self.program, self.arithmetic = program, arithmetic
-        self.literals = dict(constants) if arithmetic.literal else {}
+        self.literals = (
+            {name: int(x) for name, x in constants.items()} if arithmetic.literal else {}
+        )
         named = {} if arithmetic.literal else constants
         self.sides = (*sides, tuple(named)) if named else tuple(sides)
         self.constants = tuple(np.array(x, arithmetic.dtype) for x in named.values())

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
 
 
 class Code:
@@ -121,7 +120,12 @@ class Code:
         self.lines.append(f"{label}:")
         self._label = label
 
-    def when(self, condition: str, then: Callable[[], Any], rarely: bool = False) -> list[str]:
+    def when(
+        self,
+        condition: str,
+        then: Callable[[], Iterable[tuple[str, str, str]] | None],
+        rarely: bool = False,
+    ) -> list[str]:
         """Emit a conditional block; return the value that it computes, or the alternative.
 
         ``then`` returns that: types, values, and the values where the condition does not hold. What is done

@@ -40,7 +40,7 @@ def emit_body(
     program: Program | FloatFormula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
-    literals: Mapping[str, float],
+    literals: Mapping[str, int],
     i: str = "%i",
 ) -> list[str]:
     """Write one turn of the loop; return the names of the results to be stored.
@@ -66,7 +66,7 @@ def emit_loop(
     program: Program | FloatFormula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
-    literals: Mapping[str, float],
+    literals: Mapping[str, int],
     streamed: bool = False,
 ) -> str:
     """Write the function ``entry(n, addresses)`` that runs the program over n elements.

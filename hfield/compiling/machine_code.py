@@ -5,6 +5,8 @@ All that asks LLVM for something does so under the one `lock`, and publishes wha
 that without a lock.
 """
 
+from __future__ import annotations
+
 import ctypes
 import hashlib
 import itertools
@@ -12,10 +14,13 @@ import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING
 
 from hfield.compiling.disk_cache import keep, kept
 from hfield.core import locks
+
+if TYPE_CHECKING:
+    import llvmlite.binding as llvm
 
 Function = Callable[[int, int], int]
 lock = locks.lock()
@@ -37,7 +42,7 @@ def available() -> bool:
     return True
 
 
-def machine() -> Any:
+def machine() -> llvm.TargetMachine:
     """Return LLVM's description of this processor."""
     import llvmlite.binding as llvm
 
@@ -60,14 +65,14 @@ def _introduce() -> None:
 
 
 @cache
-def _features() -> Any:
+def _features() -> llvm.FeatureMap:
     import llvmlite.binding as llvm
 
     return llvm.get_host_cpu_features()
 
 
 @cache
-def _linker() -> Any:
+def _linker() -> llvm.LLJIT:
     """Return the linker, which reports errors instead of aborting."""
     import llvmlite.binding as llvm
 

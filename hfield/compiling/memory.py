@@ -11,12 +11,12 @@ from collections import deque
 from collections.abc import Sequence
 from contextlib import suppress
 from math import prod
-from typing import Any
+from typing import TypeAlias
 from weakref import finalize
 
 import numpy as np
 
-Array = np.ndarray[Any, np.dtype[Any]]
+Array: TypeAlias = np.ndarray
 Rows = tuple[Array, ...]
 
 POOLED_BYTES = 1_000_000  # bytes; several pieces given back go to the system again

@@ -17,7 +17,6 @@ from functools import partial, reduce
 from itertools import pairwise
 from operator import or_
 from queue import SimpleQueue
-from typing import Any
 
 from hfield.errors import HFieldError
 
@@ -117,7 +116,7 @@ def _processors() -> int:
     return os.cpu_count() or 1
 
 
-def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: object) -> bool:
+def share(work: Callable[..., object], pieces: int, alive: object, *arguments: object) -> bool:
     """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; return whether any
     returned true.
 
@@ -181,7 +180,7 @@ def _taken(starts: deque[int]) -> Iterator[int]:
 
 
 def _task(
-    work: Callable[..., Any], counter: c_int64, alive: object, arguments: tuple[object, ...]
+    work: Callable[..., object], counter: c_int64, alive: object, arguments: tuple[object, ...]
 ) -> bool:
     return bool(work(addressof(counter), *arguments))
 

@@ -386,6 +386,10 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
         return [flag]
 
     (flag,) = code.loop("0", "%count", turn, WIDTH, [("i1", "false")])
-    code.when(long, lambda: code.call("void", "PyEval_RestoreThread", ("ptr", state)))
+
+    def restore() -> None:
+        code.call("void", "PyEval_RestoreThread", ("ptr", state))
+
+    code.when(long, restore)
     code.end(f"i1 {flag}")
     return code

@@ -28,7 +28,7 @@ class BinaryPolynomial(NamedTuple):
 
 
 @dataclass(frozen=True)
-class _BinaryField(Arithmetic):
+class _BinaryField(Arithmetic[BinaryPolynomial]):
     """GF(2^k) modulo the irreducible polynomial with the bits of ``modulus``."""
 
     modulus: int

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.compiling.arithmetic import Arithmetic, Symbol
 from hfield.compiling.instructions import Code, floating
 
 
 @dataclass(frozen=True)
-class Doubles(Arithmetic):
+class Doubles(Arithmetic[str]):
     """Floats; a payload is the name of a ``double``."""
 
     dtype: str = "f8"
@@ -51,50 +50,50 @@ class Doubles(Arithmetic):
 class FloatFormula:
     """A function of floats that a loop evaluates on symbols, in place of a straight-line program."""
 
-    function: Callable[..., tuple[Symbol, ...]]
+    function: Callable[..., tuple[Symbol[str], ...]]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
-    def evaluate(self, values: dict[str, Symbol], zero: Symbol) -> Sequence[Symbol]:
+    def evaluate(self, values: dict[str, Symbol[str]], zero: Symbol[str]) -> Sequence[Symbol[str]]:
         """Return the results for inputs by their names."""
         return self.function(*(values[name] for name in self.inputs))
 
 
-def _computed(x: Symbol, text: str) -> Symbol:
+def _computed(x: Symbol[str], text: str) -> Symbol[str]:
     return Symbol(x.arithmetic, x.code, x.code.value(text))
 
 
-def constant(x: Symbol, number: float) -> Symbol:
+def constant(x: Symbol[str], number: float) -> Symbol[str]:
     """Return a number as a symbol in the code of x."""
     return Symbol(x.arithmetic, x.code, floating(number, "double"))
 
 
-def quotient(x: Symbol, y: Symbol) -> Symbol:
+def quotient(x: Symbol[str], y: Symbol[str]) -> Symbol[str]:
     """Return x/y."""
     return _computed(x, f"fdiv double {x.payload}, {y.payload}")
 
 
-def sqrt(x: Symbol) -> Symbol:
+def sqrt(x: Symbol[str]) -> Symbol[str]:
     """Return the square root, NaN for x < 0."""
     found = x.code.call("double", "llvm.sqrt.f64", ("double", x.payload))
     return Symbol(x.arithmetic, x.code, found)
 
 
-def absolute(x: Symbol) -> Symbol:
+def absolute(x: Symbol[str]) -> Symbol[str]:
     """Return |x|."""
     found = x.code.call("double", "llvm.fabs.f64", ("double", x.payload))
     return Symbol(x.arithmetic, x.code, found)
 
 
-def where_negative(x: Symbol, yes: Symbol, no: Symbol) -> Symbol:
+def where_negative(x: Symbol[str], yes: Symbol[str], no: Symbol[str]) -> Symbol[str]:
     """Return ``yes`` where x < 0, else ``no``."""
     negative = x.code.value(f"fcmp olt double {x.payload}, 0.0")
     return _computed(x, f"select i1 {negative}, double {yes.payload}, double {no.payload}")
 
 
-def flag_unless_between(x: Symbol, low: float, high: float) -> None:
+def flag_unless_between(x: Symbol[str], low: float, high: float) -> None:
     """Set the flag of the loop if x is not between two numbers."""
-    code: Any = x.code
+    code = x.code
     above, below = (
         code.value(f"fcmp {how} double {x.payload}, {floating(bound, 'double')}")
         for how, bound in (("ogt", low), ("olt", high))

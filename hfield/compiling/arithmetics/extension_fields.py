@@ -6,11 +6,11 @@ unreduced as far as the word holds them.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from typing import Any
 
-from hfield.compiling.arithmetic import Arithmetic, unsigned
+from hfield.compiling.arithmetic import Arithmetic, P, unsigned
 from hfield.compiling.arithmetics.residues import LIMITS, Bounded, ResidueArithmetic
 from hfield.compiling.instructions import Code, raw_type
 
@@ -18,7 +18,7 @@ Digits = tuple[Bounded, ...]
 
 
 @dataclass(frozen=True)
-class OddExtension(Arithmetic):
+class OddExtension(Arithmetic[P]):
     """GF(pⁿ) modulo the monic polynomial with these coefficients, low degree first; pⁿ ≤ 2³²."""
 
     characteristic: int
@@ -41,7 +41,7 @@ class OddExtension(Arithmetic):
 
 
 @dataclass(frozen=True)
-class PolynomialArithmetic(OddExtension):
+class PolynomialArithmetic(OddExtension[Digits]):
     """The field by products of polynomials, whose digits are residues."""
 
     @cached_property
@@ -108,7 +108,13 @@ class PolynomialArithmetic(OddExtension):
             found.append(reduce(lambda s, term: low.add(code, s, term), terms))
         return tuple(found)
 
-    def _together(self, code: Code, x: Digits, y: Digits, operation: Any) -> Digits:
+    def _together(
+        self,
+        code: Code,
+        x: Digits,
+        y: Digits,
+        operation: Callable[[Code, Bounded, Bounded], Bounded],
+    ) -> Digits:
         zero = self.digits.constant(code, 0)
         length = max(len(x), len(y))
         x, y = (z + (zero,) * (length - len(z)) for z in (x, y))

@@ -39,7 +39,7 @@ Number = Logarithm | Packed
 
 
 @dataclass(frozen=True)
-class ByLogarithms(OddExtension):
+class ByLogarithms(OddExtension[Number]):
     """The field by logarithms of labels; ``generator`` is the label of a primitive element."""
 
     generator: int

@@ -28,7 +28,7 @@ def holds(dtype: str) -> int:
 
 
 @dataclass(frozen=True)
-class SmallWholeNumbers(Arithmetic):
+class SmallWholeNumbers(Arithmetic[Bounded]):
     """Integers of absolute value at most 2^bits, small enough that no result overflows 64 bits.
 
     They are read from rows of ``dtype``, and written to rows of ``result``, which holds every result.
@@ -96,7 +96,7 @@ def _within(x: Bounded) -> Bounded:
 
 
 @dataclass(frozen=True)
-class CheckedWholeNumbers(Arithmetic):
+class CheckedWholeNumbers(Arithmetic[str]):
     """Integers of 64 bits with overflow checks."""
 
     dtype = "i8"

@@ -9,8 +9,9 @@ stays below the limits here three roundings move ``(x + ½)/n`` by less than 1/(
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from hfield.compiling.arithmetic import Arithmetic, unsigned
 from hfield.compiling.instructions import Code, floating, raw_type
@@ -37,7 +38,7 @@ class Bounded(NamedTuple):
 
 
 @dataclass(frozen=True)
-class ResidueArithmetic(Arithmetic):
+class ResidueArithmetic(Arithmetic[Bounded]):
     """The ring ℤ/n; residues are read and written as 0 … n − 1."""
 
     modulus: int
@@ -109,7 +110,9 @@ class ResidueArithmetic(Arithmetic):
         line = f"{_OPERATIONS[self.word][which]} {self.word} {x.name}, {y.name}"
         return Bounded(code.value(line), low, high)
 
-    def _fitting(self, code: Code, x: Bounded, y: Bounded, size: Any) -> tuple[Bounded, Bounded]:
+    def _fitting(
+        self, code: Code, x: Bounded, y: Bounded, size: Callable[[Bounded, Bounded], int]
+    ) -> tuple[Bounded, Bounded]:
         """Reduce the operands, the wider one first, until the result fits the word."""
         while size(x, y) >= LIMITS[self.word]:
             same = x is y
