@@ -5,10 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from math import lcm
-from typing import Any
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Scalar
 from hfield.errors import RingError, shorten
+
+if TYPE_CHECKING:
+    from flint import fmpq_poly
+
+    from hfield.fields.base.ring import Ring
 
 RATIONALS = ("Rationals()", "RationalField()", "QQ", "y")
 WRITTEN = {  # over ℚ or GF(q); over ℚ[s]/(f), with the letter that stands for s
@@ -37,7 +42,15 @@ _READ = (
 )
 
 
-def written(F: Any, c: Constants, system: str) -> str:
+@runtime_checkable
+class _WithPolynomial(Protocol):
+    """A number field ℚ[x]/(f) with its f."""
+
+    @property
+    def polynomial(self) -> fmpq_poly: ...
+
+
+def written(F: Ring, c: Constants, system: str) -> str:
     """Write an algebra as a system reads it.
 
     Raises :class:`RingError` for algebras with t ≠ 0, and over other fields.
@@ -46,13 +59,14 @@ def written(F: Any, c: Constants, system: str) -> str:
     if name not in WRITTEN:
         raise RingError(f"expected one of {', '.join(WRITTEN)}, not {shorten(system)}")
     whole, extended, letter = WRITTEN[name]
-    kind = F.data["kind"]
+    kind = _kind(F)
     a, b = (F.text(x if name != "pari" else x * F(pari_scale(F, x) ** 2)) for x in (c.a, c.b))
     if F.is_zero(c.t) and kind == "rationals":
         return whole.format(F={"magma": "Rationals()", "sage": "QQ", "pari": "y"}[name], a=a, b=b)
     if F.is_zero(c.t) and F.order is not None and F.order == F.characteristic and name != "pari":
         return whole.format(F=f"GF({F.order})", a=a, b=b)
-    if not F.is_zero(c.t) or kind not in ("number field", "quadratic field", "cyclotomic field"):
+    known = F.is_zero(c.t) and kind in ("number field", "quadratic field", "cyclotomic field")
+    if not known or not isinstance(F, _WithPolynomial) or F.gen_name is None:
         raise RingError(f"an algebra with t ≠ 0, or over {F.name}, is not written for {system}")
     modulus = F.polynomial.coeffs()
     a, b = (x.replace(F.gen_name, letter) for x in (a, b))
@@ -60,12 +74,17 @@ def written(F: Any, c: Constants, system: str) -> str:
     return extended.format(a=a, b=b, f=f, c=", ".join(map(str, modulus)))
 
 
-def pari_scale(F: Any, x: Any) -> int:
+def _kind(F: Ring) -> object:
+    """Return the kind of field by its data, None where it has none."""
+    return None if F.data is None else F.data["kind"]
+
+
+def pari_scale(F: Ring, x: Scalar) -> int:
     """Return a denominator of an element: PARI's constants have none, and i and j are multiplied by it."""
     return lcm(*map(int, re.findall(r"/(\d+)", F.text(x))))
 
 
-Coordinates = Sequence[Any]
+Coordinates = Sequence[Scalar]
 """The coordinates of an element over 1, i, j, k."""
 SIDES = {"left": "lideal", "right": "rideal", "two-sided": "ideal"}
 """Magma's constructors of ideals."""
@@ -79,7 +98,7 @@ class OtherSystemWriter:
     :func:`written` does.
     """
 
-    def __init__(self, F: Any, constants: Constants, system: str) -> None:
+    def __init__(self, F: Ring, constants: Constants, system: str) -> None:
         self.algebra = written(F, constants, system)
         self.ring, self.constants, self.system = F, constants, system.lower()
         self._letter = WRITTEN[self.system][2]
@@ -118,9 +137,9 @@ class OtherSystemWriter:
         """Say in Magma's words which algebra A is."""
         return f"{text} where A is {self.algebra}" if self.system == "magma" else text
 
-    def _scalar(self, x: Any) -> str:
-        text: str = self.ring.text(x)
-        name = getattr(self.ring, "gen_name", None)
+    def _scalar(self, x: Scalar) -> str:
+        text = self.ring.text(x)
+        name = self.ring.gen_name
         return text.replace(name, self._letter) if name else text
 
     def _row(self, q: Coordinates) -> str:
@@ -132,10 +151,10 @@ class OtherSystemWriter:
             return f"A!{self._row(q)}" if self.system == "magma" else self._row(q)
         F = self.ring
         i, j = (F(pari_scale(F, x)) for x in (self.constants.a, self.constants.b))
-        w, x, y, z = q[0], q[1] / i, q[2] / j, q[3] / (i * j)
+        w, x, y, z = q[0], F.divide(q[1], i), F.divide(q[2], j), F.divide(q[3], i * j)
         return f"[{self._over_x(w, x)}, {self._over_x(y, F.zero - z)}]~"
 
-    def _over_x(self, u: Any, v: Any) -> str:
+    def _over_x(self, u: Scalar, v: Scalar) -> str:
         """Write u + v·x."""
         if self.ring.is_zero(v):
             return self._scalar(u)
@@ -147,7 +166,7 @@ class OtherSystemWriter:
         return f"[{', '.join(map(self._part, basis))}]"
 
     def _order(self, basis: Sequence[Coordinates]) -> str:
-        if self.system == "sage" and self.ring.data["kind"] != "rationals":
+        if self.system == "sage" and _kind(self.ring) != "rationals":
             # over number fields Sage's check fails, and without it nothing is coerced
             definitions, algebra = self.algebra.split("; ")
             elements = ", ".join(f"B({self._row(q)})" for q in basis)
@@ -156,7 +175,7 @@ class OtherSystemWriter:
             return f"{self.algebra}.quaternion_order({self._list(basis)})"
         if self.system == "pari":
             return self._list(basis)
-        function = "QuaternionOrder" if self.ring.data["kind"] == "rationals" else "Order"
+        function = "QuaternionOrder" if _kind(self.ring) == "rationals" else "Order"
         return f"{function}({self._list(basis)})"
 
     def _ideal(self, order: str, basis: Sequence[Coordinates], side: str) -> str:

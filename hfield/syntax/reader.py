@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.parser import parse
@@ -27,37 +27,44 @@ from hfield.syntax.tree import (
 )
 from hfield.syntax.typed import reported_as_typed
 
+if TYPE_CHECKING:
+    from hfield.core.product import SupportsArithmetic
 
-class OfTrees:
+V = TypeVar("V", bound="SupportsArithmetic")
+T = TypeVar("T")
+U = TypeVar("U")
+
+
+class OfTrees(Generic[T]):
     """A function that reads its arguments itself, as syntax trees: the cosine, of an angle."""
 
-    def __init__(self, call: Callable[..., Any]) -> None:
+    def __init__(self, call: Callable[..., T]) -> None:
         self.call = call
 
-    def __call__(self, *trees: Node) -> Any:
+    def __call__(self, *trees: Node) -> T:
         """Return the value for arguments as trees."""
         return self.call(*trees)
 
-    def then(self, change: Callable[[Any], Any]) -> OfTrees:
+    def then(self, change: Callable[[T], U]) -> OfTrees[U]:
         """Return the function whose values are changed, say from a scalar into an element."""
         return OfTrees(lambda *trees: change(self.call(*trees)))
 
 
 @dataclass(frozen=True)
-class Reader:
+class Reader(Generic[V]):
     """The protocol of readers: the values of numbers, names and functions.
 
     ``limit`` bounds the weight of a term (see :func:`weight`), so that nothing is begun that could
     not end; ``what`` says in errors what was being read.
     """
 
-    number: Callable[[int | Fraction], Any]
-    names: Mapping[str, Any]
-    functions: Mapping[str, Callable[..., Any]]
+    number: Callable[[int | Fraction], V]
+    names: Mapping[str, V]
+    functions: Mapping[str, Callable[..., V]]
     what: str
     limit: int = 20_000
 
-    def read(self, text: str) -> Any:
+    def read(self, text: str) -> V:
         """Parse and evaluate ``text``. Raises :class:`NotationError`, :class:`TooLargeError`."""
         node = parse(text)
         heavy = weight(node)
@@ -68,7 +75,7 @@ class Reader:
             )
         return self.evaluate(node, text)
 
-    def read_typed(self, text: str) -> Any:
+    def read_typed(self, text: str) -> V:
         """Read a text as people type it: with mathematical signs, and products without a sign.
 
         Raises what :meth:`read` raises, at the positions of what was typed.
@@ -77,7 +84,7 @@ class Reader:
         with reported_as_typed(typed):
             return self.read(typed.text)
 
-    def evaluate(self, node: Node, text: str = "") -> Any:
+    def evaluate(self, node: Node, text: str = "") -> V:
         """Evaluate a term node; a statement (``==``, ``and`` …) is refused."""
         match node:
             case Number(value):

@@ -193,8 +193,11 @@ def _nodes_in(fields: tuple[str, ...]) -> Callable[[Node], tuple[Node, ...]]:
     """Return what finds the nodes in some fields: trees are walked often."""
     if not fields:
         return lambda node: ()
-    find: Callable[[Node], Any] = attrgetter(*fields)
-    return find if len(fields) > 1 else lambda node: (find(node),)
+    if len(fields) > 1:
+        find_all: Callable[[Node], tuple[Node, ...]] = attrgetter(*fields)
+        return find_all
+    find: Callable[[Node], Node] = attrgetter(fields[0])
+    return lambda node: (find(node),)
 
 
 def rebuild(node: Node, parts: Sequence[Node]) -> Node:
