@@ -7,7 +7,6 @@ from the certificate's text; its cofactors are not needed, the solver finds its 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from hfield.checker.first_schema import current
 from hfield.checker.glossary import SCHEMA
@@ -137,7 +136,7 @@ def lean_theorem(name: str, data: object) -> LeanTheorem:
     return LeanTheorem(name, comment, _Lean(statement, (a, t, b)).text)
 
 
-def lean_theorems(certificates: Mapping[str, Any]) -> tuple[list[LeanTheorem], dict[str, str]]:
+def lean_theorems(certificates: Mapping[str, object]) -> tuple[list[LeanTheorem], dict[str, str]]:
     """Translate certificates; return the theorems, and why others are left out."""
     found, left = [], {}
     for name, data in certificates.items():

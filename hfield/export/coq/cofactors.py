@@ -6,9 +6,9 @@ divisors, of which nothing is ever cancelled. Nothing here is trusted: Coq compu
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import Ordering, fmpz_mpoly_ctx
 
@@ -55,7 +55,7 @@ class Numerators:
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = dict(zip(self.atoms, self.context.gens(), strict=False))
         self._names = Names([parse(atom) for atom in self.atoms])
-        self.factors: list[Any] = []
+        self.factors: list[flint.fmpz_mpoly] = []
 
     def read(self, text: str) -> flint.fmpz_mpoly:
         """Read a polynomial in the coordinates, as the checker does. Raises :class:`MismatchError`."""
@@ -108,7 +108,7 @@ class Numerator:
     """A polynomial over the product of the divisors to the powers ``below``."""
 
     ring: Numerators
-    top: Any
+    top: flint.fmpz_mpoly
     below: tuple[int, ...]
 
     def __neg__(self) -> Numerator:
@@ -143,7 +143,9 @@ def times(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
     return f * g
 
 
-def _joined(x: tuple[int, ...], y: tuple[int, ...], how: Any) -> tuple[int, ...]:
+def _joined(
+    x: tuple[int, ...], y: tuple[int, ...], how: Callable[[tuple[int, int]], int]
+) -> tuple[int, ...]:
     width = max(len(x), len(y))
     pairs = zip((*x, *[0] * (width - len(x))), (*y, *[0] * (width - len(y))), strict=True)
     return tuple(how(pair) for pair in pairs)

@@ -8,13 +8,13 @@ commutative ring (docs/reference/certificates.md).
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from hfield.checker.glossary import PROVED, REFUTED, VACUOUS
 from hfield.checker.rejection import Rejected
 from hfield.checker.vocabulary.logic import VocabularyStatement, read_proposition
 from hfield.evidence import Kind
 from hfield.export.coq.base_rings import base_ring_of
+from hfield.export.coq.certificate_data import EvidenceData, Part
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.judgement import Judgement
 from hfield.export.coq.sentences import COMPUTED, IN_RINGS, Proved
@@ -41,7 +41,7 @@ def judge(
     text: str,
     setting: Setting,
     verdict: str,
-    evidence: Mapping[str, Any],
+    evidence: EvidenceData,
     depth: int = 0,
 ) -> Proved:
     """Prove the verdict on any statement. Raises NotCoveredError and MismatchError."""
@@ -57,7 +57,7 @@ def judge(
     return Judgement(name, text, setting).by(verdict, evidence)
 
 
-def _over(evidence: Mapping[str, Any]) -> Mapping[str, Any]:
+def _over(evidence: EvidenceData) -> EvidenceData:
     """Return evidence from one field as evidence against all fields, whose field it names."""
     inner = evidence["evidence"]
     if inner.get("ring", evidence["ring"]) != evidence["ring"]:
@@ -116,7 +116,7 @@ class _CompoundStatement:
     def __init__(self, name: str, whole: VocabularyStatement, setting: Setting, depth: int) -> None:
         self.name, self.whole, self.setting, self.depth = name, whole, setting, depth
 
-    def part(self, n: int, verdict: str, evidence: Mapping[str, Any]) -> tuple[Proved, str]:
+    def part(self, n: int, verdict: str, evidence: EvidenceData) -> tuple[Proved, str]:
         """Prove a part as a lemma; return it and its name."""
         name = f"{self.name}_{n + 1}"
         text = self.whole.parts[n]
@@ -131,7 +131,7 @@ class _CompoundStatement:
             raise NotCoveredError("a table against associative algebras inside another statement")
         return own, name
 
-    def judge(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
+    def judge(self, verdict: str, evidence: EvidenceData) -> Proved:
         """Prove the verdict."""
         word, kind = self.whole.word, evidence.get("kind")
         if word not in LOGIC:
@@ -167,7 +167,7 @@ class _CompoundStatement:
     def _text(self) -> str:
         return f"{self.whole.word}{{{';'.join(self.whole.parts)}}}"
 
-    def _every(self, parts: Sequence[Mapping[str, Any]]) -> Proved:
+    def _every(self, parts: Sequence[Part]) -> Proved:
         if len(parts) != len(self.whole.parts):
             raise MismatchError("there is not evidence for every part")
         found = []
@@ -180,7 +180,7 @@ class _CompoundStatement:
         lines.append(f"exact {found[-1][1]}.")
         return Proved(text, tuple(lines), tuple(own.lemma(name) for own, name in found))
 
-    def _not_every(self, evidence: Mapping[str, Any]) -> Proved:
+    def _not_every(self, evidence: EvidenceData) -> Proved:
         n = evidence["part"]
         if not 0 <= n < len(self.whole.parts):
             raise MismatchError("there is no part of that number")
@@ -195,7 +195,7 @@ class _CompoundStatement:
             lines[-1] = f"exact ({name} (proj1 F))."
         return Proved(f"~ ({whole})", tuple(lines), (own.lemma(name),))
 
-    def _iff(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
+    def _iff(self, verdict: str, evidence: EvidenceData) -> Proved:
         left, right = evidence["left"], evidence["right"]
         verdicts = left["verdict"], right["verdict"]
         if not set(verdicts) <= {"proved", "refuted"}:
@@ -314,7 +314,7 @@ class PresentationStatement:
         raise MismatchError("a relation is a polynomial in the letters with integer coefficients")
 
 
-def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[str, Any]) -> Proved:
+def presentation(text: str, setting: Setting, verdict: str, evidence: EvidenceData) -> Proved:
     """Prove the verdict on a presentation.
 
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
@@ -344,7 +344,7 @@ def _equations(node: Node) -> list[Compare]:
     return [node]
 
 
-def _consequence(said: PresentationStatement, evidence: Mapping[str, Any]) -> Proved:
+def _consequence(said: PresentationStatement, evidence: EvidenceData) -> Proved:
     if evidence["characteristic"] not in (0, said.characteristic):
         raise MismatchError("the proof is one for another characteristic")
     if evidence["identity"] is not said.identity:
@@ -372,7 +372,7 @@ def _consequence(said: PresentationStatement, evidence: Mapping[str, Any]) -> Pr
 
 
 def _counterexample(
-    relations: Sequence[Node], goals: Sequence[Compare], evidence: Mapping[str, Any]
+    relations: Sequence[Node], goals: Sequence[Compare], evidence: EvidenceData
 ) -> Proved:
     """Write a refuting table as a theorem: associative, bilinear, all relations, but not the goal."""
     at = next(n for n, c in enumerate(evidence["value"]) if c)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint.utils.flint_exceptions import DomainError
 
+from hfield.export.coq.certificate_data import Item, Step
 from hfield.export.coq.cofactors import MismatchError, Numerators, written
 from hfield.export.coq.formulas import Equation, Formula, Junction, equations
 from hfield.export.coq.terms import NotCoveredError, Terms
@@ -20,10 +21,10 @@ if TYPE_CHECKING:
 class CertificateItem:
     """One item of the certificate, with its polynomials."""
 
-    raw: Mapping[str, Any]
-    zeros: list[Any]
-    member: Any = None
-    nonzeros: list[Any] = field(default_factory=list)
+    raw: Item
+    zeros: list[flint.fmpz_mpoly]
+    member: flint.fmpz_mpoly | None = None
+    nonzeros: list[flint.fmpz_mpoly] = field(default_factory=list)
     denominators: set[int] = field(default_factory=set)
 
     @property
@@ -47,10 +48,11 @@ def tops(formulas: Iterable[Formula]) -> list[flint.fmpz_mpoly]:
 
 def differences(equation: Equation) -> list[flint.fmpz_mpoly]:
     """Return the numerators of the differences of both sides."""
-    left, right = equation.left.value, equation.right.value
-    if equation.left.is_scalar:
-        return [(left - right).top]
-    return [(u - v).top for u, v in zip(left, right, strict=True)]
+    left, right = equation.left, equation.right
+    if left.is_scalar:
+        return [(left.scalar - right.scalar).top]
+    pairs = zip(left.coordinates, right.coordinates, strict=True)
+    return [(u - v).top for u, v in pairs]
 
 
 def proportional(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
@@ -222,11 +224,11 @@ def _list(parts: Iterable[str]) -> str:
 class Items:
     """The items of one implication, in the variables of its statement."""
 
-    def __init__(self, terms: Terms, data: Sequence[Mapping[str, Any]]) -> None:
+    def __init__(self, terms: Terms, data: Sequence[Item]) -> None:
         self.terms = terms
         self.items = [self._item(raw) for raw in data]
 
-    def _item(self, raw: Mapping[str, Any]) -> CertificateItem:
+    def _item(self, raw: Item) -> CertificateItem:
         if raw.get("relations"):
             raise NotCoveredError("the evidence uses relations between constants of the field")
         read = self.terms.numerators.read
@@ -293,7 +295,7 @@ def _texts(names: Numerators, texts: Sequence[str]) -> str:
     return "[" + "; ".join(map(names.coq, texts)) + "]"
 
 
-def _steps(names: Numerators, steps: Sequence[Mapping[str, Any]], known: int) -> str:
+def _steps(names: Numerators, steps: Sequence[Step], known: int) -> str:
     """Return the steps of a proof by contradiction in Coq, from this number of vanishing polynomials."""
     if not steps:
         raise MismatchError("a list of steps is empty")
@@ -321,8 +323,8 @@ def _steps(names: Numerators, steps: Sequence[Mapping[str, Any]], known: int) ->
             after = _steps(names, rest, known + len(step["terms"]))
             return f"Squares_are_zero [{terms}] {cofactors} ({after})"
         case "cases":
-            pairs = zip(step["factors"], step["powers"], strict=True)
-            factors = "; ".join(f"({names.coq(f)}, {_integer(n)}%nat)" for f, n in pairs)
+            divisors = zip(step["factors"], step["powers"], strict=True)
+            factors = "; ".join(f"({names.coq(f)}, {_integer(n)}%nat)" for f, n in divisors)
             branches = "; ".join(_steps(names, b, known + 1) for b in step["branches"])
             if len(step["branches"]) != len(step["factors"]):
                 raise MismatchError("factors and branches are not equally many")
@@ -330,7 +332,7 @@ def _steps(names: Numerators, steps: Sequence[Mapping[str, Any]], known: int) ->
     raise NotCoveredError(f"steps of the kind {kind!r}")
 
 
-def facts_used(items: Iterable[Mapping[str, Any]]) -> set[str]:
+def facts_used(items: Iterable[Item]) -> set[str]:
     """Return which rules of the field the steps of some items use."""
     found: set[str] = set()
     left = [step for item in items for step in item.get("steps", ())]
@@ -347,7 +349,7 @@ def _integer(value: object) -> int:
     return value
 
 
-def _denominators(steps: Any) -> Iterable[int]:
+def _denominators(steps: Iterable[Step]) -> Iterable[int]:
     for step in steps:
         yield _integer(step["denominator"])
         for branch in step.get("branches", ()):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.evidence import Kind
 from hfield.export.coq.base_rings import (
@@ -19,6 +19,7 @@ from hfield.export.coq.base_rings import (
     of_characteristic,
     value_in,
 )
+from hfield.export.coq.certificate_data import EvidenceData
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.sentences import COMPUTED, Proved, Sentence, computed
 from hfield.export.coq.terms import NotCoveredError, Terms
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from hfield.export.coq.judgement import Judgement
 
 
-def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def by_terms(j: Judgement, evidence: EvidenceData) -> Proved:
     """Prove existence by terms that work for all values of the given unknowns."""
     lemma = f"{j.name}_instance"
     trees = _trees(j, evidence["terms"])
@@ -81,7 +82,7 @@ def _there(j: Judgement, sentence: Sentence, trees: Mapping[str, Node]) -> list[
 
 
 def _instance(
-    j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: Mapping[str, Any]
+    j: Judgement, trees: Mapping[str, Node], more: Sequence[Node], proof: EvidenceData
 ) -> tuple[Proved, Judgement]:
     """Prove the statement with terms substituted, under the hypotheses ``more``."""
     served = put_in(j.statement.conclusion, trees)
@@ -92,7 +93,7 @@ def _instance(
     return other.proved(proof), other
 
 
-def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def by_cases(j: Judgement, evidence: EvidenceData) -> Proved:
     """Prove existence by terms in each of some cases, one of which always applies."""
     cases = evidence["cases"]
     conditions = [parse(case["when"]) for case in cases]
@@ -125,7 +126,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     return Proved(sentence.text, tuple(lines), tuple(before))
 
 
-def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def none_exists(j: Judgement, evidence: EvidenceData) -> Proved:
     """Refute existence: for some values of the given unknowns there is none."""
     field, statement = j.setting.field, j.statement
     if field is None:
@@ -224,7 +225,7 @@ def _values(
     return f"[{'; '.join(quaternions)}]", f"[{'; '.join(scalars)}]"
 
 
-def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def counterexample(j: Judgement, evidence: EvidenceData) -> Proved:
     """Refute a statement by values in its ring, or a statement on all fields by values in one."""
     field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
@@ -258,7 +259,7 @@ def in_one_field(base_ring: BaseRing) -> tuple[list[str], str]:
     return ["intro F.", prime], f"F (GF {p}) _ _ (GF_field {p} prime)"
 
 
-def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def example(j: Judgement, evidence: EvidenceData) -> Proved:
     """Prove existence by values, without given unknowns."""
     base_ring, sentence = j.one_ring()
     _check_listed(j.statement, base_ring)

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.resources import files
-from typing import Any
 
 from hfield.errors import HFieldError, shorten
 from hfield.export.coq.terms import NotCoveredError
@@ -133,7 +132,7 @@ def export_session(answers: Iterable[Answer]) -> Export:
     return Export(tuple(theorems), tuple(left))
 
 
-def export_certificates(certificates: Mapping[str, Any]) -> Export:
+def export_certificates(certificates: Mapping[str, object]) -> Export:
     """Export certificates, by names for their theorems."""
     theorems: list[Theorem] = []
     left: list[Left] = []

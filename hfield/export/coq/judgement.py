@@ -7,15 +7,14 @@ statement, Coq rejects the proof.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
-from typing import Any
 
 from hfield.checker.glossary import PROVED, REFUTED, VACUOUS
 from hfield.errors import TooLargeError
-from hfield.evidence import Evidence, Kind
+from hfield.evidence import Kind
 from hfield.export.coq.base_rings import (
     FIELDS,
     INTEGERS,
@@ -27,6 +26,7 @@ from hfield.export.coq.base_rings import (
     base_ring_of,
     of_characteristic,
 )
+from hfield.export.coq.certificate_data import EvidenceData, FieldFact, Item
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.consequences import Directly, Items, facts_used, has_cases, is_positive
 from hfield.export.coq.existence import by_cases, by_terms, counterexample, example, none_exists
@@ -64,7 +64,7 @@ class Judgement:
 
     # --- verdicts --------------------------------------------------------------------------------
 
-    def proved(self, evidence: Mapping[str, Any]) -> Proved:
+    def proved(self, evidence: EvidenceData) -> Proved:
         """Prove the statement."""
         match evidence.get("kind"), bool(self.statement.exists):
             case Kind.EXHAUSTION, _:
@@ -96,7 +96,7 @@ class Judgement:
         width = sum(sort.width for _, sort in statement.unknowns)
         return bool(field.is_field and field.order**width <= MAX_COQ_CASES)
 
-    def refuted(self, evidence: Mapping[str, Any]) -> Proved:
+    def refuted(self, evidence: EvidenceData) -> Proved:
         """Prove the opposite of the statement."""
         kind = evidence.get("kind")
         if kind == Kind.WITNESS and not self.statement.exists:
@@ -105,7 +105,7 @@ class Judgement:
             return none_exists(self, evidence)
         raise NotCoveredError(f"evidence of the kind {kind!r} against a statement")
 
-    def vacuous(self, evidence: Mapping[str, Any]) -> Proved:
+    def vacuous(self, evidence: EvidenceData) -> Proved:
         """Prove that the hypotheses never hold together."""
         kind = evidence.get("kind")
         if kind != Kind.UNSATISFIABLE or not self.statement.hypotheses:
@@ -114,7 +114,7 @@ class Judgement:
             evidence["proof"]
         )
 
-    def true_vacuously(self, evidence: Mapping[str, Any]) -> Proved:
+    def true_vacuously(self, evidence: EvidenceData) -> Proved:
         """Prove the statement itself from hypotheses that never hold together."""
         never, lemma = self.vacuous(evidence), f"{self.name}_never"
         sentence = self.sentence
@@ -137,7 +137,7 @@ class Judgement:
             self.statement, self.setting, FIELDS if field is None else base_ring_of(field)
         )
 
-    def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
+    def by(self, verdict: str, evidence: EvidenceData) -> Proved:
         """Prove a verdict."""
         if self.statement.ordered is not None:
             raise NotCoveredError("moduli and comparisons over ordered fields")
@@ -161,9 +161,7 @@ MAX_CASES = 300_000
 MAX_WORDS = 64  # of a list of tuples of basis vectors
 
 
-def implied(
-    j: Judgement, items: Sequence[Mapping[str, Any]], facts: Sequence[Mapping[str, Any]] = ()
-) -> Proved:
+def implied(j: Judgement, items: Sequence[Item], facts: Sequence[FieldFact] = ()) -> Proved:
     """Prove a statement from its items of evidence; an identity needs none."""
     field = j.setting.field
     base_ring = FIELDS if field is None else base_ring_of(field)
@@ -205,7 +203,7 @@ def implied(
 
 
 def _check_facts(
-    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], base_ring: BaseRing
+    j: Judgement, used: set[str], facts: Sequence[FieldFact], base_ring: BaseRing
 ) -> None:
     """Raise NotCoveredError for facts that Coq cannot prove, MismatchError for wrong ones."""
     for form in used & {"norm", "squares"}:
@@ -232,7 +230,7 @@ def _directly(j: Judgement, sentence: Sentence, read: Items) -> bool:
     return Directly(usable).derives([], goal)
 
 
-def _everywhere(j: Judgement, items: Sequence[Mapping[str, Any]]) -> Proved:
+def _everywhere(j: Judgement, items: Sequence[Item]) -> Proved:
     general = not (j.statement.divides or j.statement.compares_unequal)
     if general:
         sentence = Sentence(j.statement, j.setting, RINGS)
@@ -276,7 +274,7 @@ def exhausted(j: Judgement) -> Proved:
     return computed(sentence, f"residues_all_cases {n} {sentence.data} _ _")
 
 
-def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+def multilinear(j: Judgement, evidence: EvidenceData) -> Proved:
     """Prove an equation by expanding it, and that the list of its values at basis vectors is right."""
     whole = implied(j, [])
     names = [n for n, s in j.statement.unknowns if s is Sort.QUATERNION]
@@ -297,7 +295,7 @@ def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         shown = " + ".join(f"({int(c)})*{u}" for c, u in zip(value, "eijk", strict=True))
         for side in (tree.left, tree.right):
             parts.append(Compare("==", substitute(side, put), parse(shown)))
-    values = j.for_formula(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
+    values = j.for_formula(conjunction(parts)).proved({"kind": Kind.IDENTITY.value})
     tuples = f"{j.name}_tuples"
     return replace(whole, before=(values.lemma(tuples), *whole.before))
 

@@ -5,14 +5,14 @@ statement says. The data is the same tree again, which Coq turns into that text 
 numerator is a polynomial that the evidence may speak of; it only helps to find hints.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias
 
 from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from hfield.errors import HFieldError, TooLargeError
-from hfield.export.coq.cofactors import Numerators
+from hfield.export.coq.cofactors import MismatchError, Numerator, Numerators
 from hfield.prover.statements.language import Sort
 from hfield.syntax import Binary, Call, Index, Name, Negate, Node, Number, Power, parse
 
@@ -23,6 +23,7 @@ COORDINATES = ("re", "im", "jm", "km")
 PLACES = ("at_e", "at_i", "at_j", "at_k")
 HAMILTON = ("-1", "0", "-1")
 ATOM, APPLICATION, PRODUCT, SUM = range(4)
+Quadruple: TypeAlias = tuple[Numerator, Numerator, Numerator, Numerator]
 
 
 class NotCoveredError(HFieldError, NotImplementedError):
@@ -40,7 +41,7 @@ class Term:
 
     text: str
     data: str
-    value: Any
+    value: Numerator | Quadruple
     size: int = 1
     conditions: tuple["Term", ...] = ()
     level: int = ATOM
@@ -50,6 +51,20 @@ class Term:
     def is_scalar(self) -> bool:
         """Whether this is a scalar, and no quaternion."""
         return not isinstance(self.value, tuple)
+
+    @property
+    def scalar(self) -> Numerator:
+        """The value of a scalar. Raises :class:`MismatchError` for a quaternion."""
+        if isinstance(self.value, tuple):
+            raise MismatchError(f"{self.text} is a quaternion, where a scalar is expected")
+        return self.value
+
+    @property
+    def coordinates(self) -> Quadruple:
+        """The coordinates of a quaternion. Raises :class:`MismatchError` for a scalar."""
+        if not isinstance(self.value, tuple):
+            raise MismatchError(f"{self.text} is a scalar, where a quaternion is expected")
+        return self.value
 
     @property
     def inner(self) -> str:
@@ -83,7 +98,7 @@ class Terms:
         self.names = self._unknowns()
         # Letters are scalars whatever is found later; constants see the given unknowns only.
         parts = [self.term(parse(text)) for text in constants]
-        self.constants = Constants(*(part.value for part in parts))
+        self.constants = Constants(*(part.scalar for part in parts))
         self.defined = tuple({c.text: c for part in parts for c in part.conditions}.values())
         self.parts = parts
         shown = " ".join(part.inner for part in parts)
@@ -104,7 +119,7 @@ class Terms:
         zero, one = n.number(0), n.number(1)
         out, counts = {}, {Sort.QUATERNION: 0, Sort.SCALAR: 0}
         for letter, place in zip("eijk", PLACES, strict=True):
-            value = tuple(one if x == letter else zero for x in "eijk")
+            value = _quadruple(one if x == letter else zero for x in "eijk")
             out[letter] = Term(letter, f"QBasis {place}", value, closed=True)
         for name, sort in self.ordered:
             k = counts[sort]
@@ -112,7 +127,7 @@ class Terms:
             if sort is Sort.SCALAR:
                 out[name] = Term(name, f"SVar {k}", n.atom(name))
             else:
-                value = tuple(n.atom(f"{name}[{m}]") for m in range(4))
+                value = _quadruple(n.atom(f"{name}[{m}]") for m in range(4))
                 out[name] = Term(name, f"QVar {k}", value)
         return out
 
@@ -121,7 +136,7 @@ class Terms:
         if not x.is_scalar:
             return x
         zero = self.numerators.number(0)
-        return _applied("embed", "QEmbed", x, (x.value, zero, zero, zero))
+        return _applied("embed", "QEmbed", x, (x.scalar, zero, zero, zero))
 
     def term(self, node: Node) -> Term:
         """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
@@ -140,7 +155,7 @@ class Terms:
                 raise NotCoveredError(f"{name!r} names a constant of the field")
             case Negate(operand):
                 x = self.term(operand)
-                negative = -x.value if x.is_scalar else tuple(-u for u in x.value)
+                negative = -x.scalar if x.is_scalar else _quadruple(-u for u in x.coordinates)
                 inner = x.within(APPLICATION)
                 inner = f"({inner})" if inner in ("0", "1") else inner
                 text = f"{'-' if x.is_scalar else '[-]'} {inner}"
@@ -163,7 +178,7 @@ class Terms:
     def coordinate(self, x: Term, n: int) -> Term:
         """Return the coordinate number n."""
         x = self.embed(x)
-        return _applied(COORDINATES[n], f"SCoordinate {PLACES[n]}", x, x.value[n])
+        return _applied(COORDINATES[n], f"SCoordinate {PLACES[n]}", x, x.coordinates[n])
 
     def number(self, value: int | Fraction) -> Term:
         """Return a literal."""
@@ -185,29 +200,32 @@ class Terms:
         conditions = _joined(x, y)
         size, closed = x.size + y.size, x.closed and y.closed
         if op == "/":
-            value, conditions = self.numerators.inverse(y.value), _joined(x, y, (y,))
-            result = x.value * value if x.is_scalar else tuple(u * value for u in x.value)
+            value, conditions = self.numerators.inverse(y.scalar), _joined(x, y, (y,))
+            result = (
+                x.scalar * value if x.is_scalar else _quadruple(u * value for u in x.coordinates)
+            )
             data = f"{'SDiv' if x.is_scalar else 'QOver'} {x.argument} {y.argument}"
             sign = "/" if x.is_scalar else "[/]"
             return _infix(x, sign, y, data, result, size, conditions, closed)
         letter = {"+": "Add", "-": "Sub", "*": "Mul"}[op]
         if x.is_scalar and y.is_scalar:
-            value = {"+": x.value.__add__, "-": x.value.__sub__, "*": x.value.__mul__}[op](y.value)
+            u, v = x.scalar, y.scalar
+            value = {"+": u.__add__, "-": u.__sub__, "*": u.__mul__}[op](v)
             data = f"S{letter} {x.argument} {y.argument}"
             return _infix(x, op, y, data, value, size, conditions, closed)
         if op in "+-":
             x, y = self.embed(x), self.embed(y)
-            pairs = zip(x.value, y.value, strict=True)
-            sums = tuple(u + v if op == "+" else u - v for u, v in pairs)
+            pairs = zip(x.coordinates, y.coordinates, strict=True)
+            sums = _quadruple(u + v if op == "+" else u - v for u, v in pairs)
             data = f"Q{letter} {x.argument} {y.argument}"
             return _infix(x, f"[{op}]", y, data, sums, size, conditions, closed)
         if x.is_scalar or y.is_scalar:
             s, q = (x, y) if x.is_scalar else (y, x)
-            scaled = tuple(s.value * u for u in q.value)
+            scaled = _quadruple(s.scalar * u for u in q.coordinates)
             data = f"QScale {s.argument} {q.argument}"
             return _infix(s, "[.]", q, data, scaled, size, conditions, closed)
         size = 5 * (size + 3 * self.weight)
-        product = multiply(self.constants, x.value, y.value)
+        product = multiply(self.constants, x.coordinates, y.coordinates)
         data = f"QMul {x.argument} {y.argument}"
         return _infix(x, f"[*{self.algebra}]", y, data, product, size, conditions, closed)
 
@@ -229,12 +247,12 @@ class Terms:
     def inverse(self, x: Term) -> Term:
         """Return the inverse of a scalar or a quaternion."""
         divisor = x if x.is_scalar else self.call("norm", [x])
-        value = self.numerators.inverse(divisor.value)
+        value = self.numerators.inverse(divisor.scalar)
         conditions = _joined(x, divisor, (divisor,))
         if x.is_scalar:
             made = _applied("inv", "SInv", x, value)
         else:
-            bar = tuple(u * value for u in conjugate(self.constants, x.value))
+            bar = _quadruple(u * value for u in conjugate(self.constants, x.coordinates))
             size = divisor.size + 2 * x.size
             made = _applied(f"qinv {self.algebra}", "QInv", x, bar, size)
         return replace(made, conditions=conditions)
@@ -242,6 +260,7 @@ class Terms:
     def call(self, function: str, arguments: list[Term]) -> Term:
         """Return the value of a function of the language."""
         x, c = self.embed(arguments[0]), self.constants
+        value: Numerator | Quadruple
         match function:
             case "inv":
                 return self.inverse(x)
@@ -250,23 +269,33 @@ class Terms:
             case "comm":
                 y = self.embed(arguments[1])
                 xy, yx = (self.binary("*", *pair) for pair in ((x, y), (y, x)))
-                value = tuple(u - v for u, v in zip(xy.value, yx.value, strict=True))
+                pairs = zip(xy.coordinates, yx.coordinates, strict=True)
+                value = _quadruple(u - v for u, v in pairs)
                 text = f"comm {self.algebra} {x.inner} {y.inner}"
                 data, size = f"QComm {x.argument} {y.argument}", xy.size + yx.size
                 closed = x.closed and y.closed
                 return Term(text, data, value, size, _joined(x, y), APPLICATION, closed)
             case "vector":
-                return _applied("vector", "QVector", x, (self.numerators.number(0), *x.value[1:]))
+                return _applied(
+                    "vector", "QVector", x, (self.numerators.number(0), *x.coordinates[1:])
+                )
             case "conj":
-                value, size, data = conjugate(c, x.value), x.size + 2 * self.weight, "QConj"
+                value, size, data = conjugate(c, x.coordinates), x.size + 2 * self.weight, "QConj"
             case "trace":
-                value, size, data = trace(c, x.value), 3 * x.size + self.weight, "STrace"
+                value, size, data = trace(c, x.coordinates), 3 * x.size + self.weight, "STrace"
             case _:
-                value, size, data = norm(c, x.value), 14 * (x.size + self.weight), "SNorm"
+                value, size, data = norm(c, x.coordinates), 14 * (x.size + self.weight), "SNorm"
         return _applied(f"{function} {self.algebra}", data, x, value, size)
 
 
-def _applied(function: str, data: str, x: Term, value: Any, size: int = 0) -> Term:
+def _quadruple(parts: Iterable[Numerator]) -> Quadruple:
+    w, x, y, z = parts
+    return w, x, y, z
+
+
+def _applied(
+    function: str, data: str, x: Term, value: Numerator | Quadruple, size: int = 0
+) -> Term:
     """Return the application of a function to one argument, with the argument's size by default."""
     text, data, size = f"{function} {x.inner}", f"{data} {x.argument}", size or x.size
     return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
@@ -277,7 +306,7 @@ def _infix(
     sign: str,
     y: Term,
     data: str,
-    value: Any,
+    value: Numerator | Quadruple,
     size: int,
     conditions: tuple[Term, ...],
     closed: bool,

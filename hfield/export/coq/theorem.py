@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TypeGuard
 
 from hfield.checker.first_schema import current
 from hfield.checker.glossary import CERTIFIED, KEYS, SCHEMA
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.evidence import Kind
+from hfield.export.coq.certificate_data import CertificateData
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.compound_statements import judge
 from hfield.export.coq.sentences import Proved
@@ -47,7 +48,7 @@ def theorem(name: str, data: object, words: str = "") -> Theorem:
     be about the statement, and :class:`TooLargeError`.
     """
     data = current(data)
-    if not isinstance(data, Mapping) or set(data) != set(KEYS) or data["schema"] != SCHEMA:
+    if not _is_certificate(data):
         raise MismatchError(f"this is not a certificate {SCHEMA}")
     if data["verdict"] not in CERTIFIED:
         raise MismatchError(f"there is no verdict {shorten(str(data['verdict']))!r}")
@@ -69,7 +70,12 @@ def theorem(name: str, data: object, words: str = "") -> Theorem:
     return out
 
 
-def _proved(name: str, data: Mapping[str, Any]) -> Proved:
+def _is_certificate(data: object) -> TypeGuard[CertificateData]:
+    """Return whether data have the keys of a certificate; the types of the values are not checked."""
+    return isinstance(data, Mapping) and set(data) == set(KEYS) and data["schema"] == SCHEMA
+
+
+def _proved(name: str, data: CertificateData) -> Proved:
     setting = read_setting(data["field"], data["algebra"])
     field = None if setting.field is None else setting.field.name
     a, t, b, inside = split_algebra(data["algebra"])
