@@ -15,7 +15,7 @@ Cofactor: TypeAlias = tuple[int, str, int, str]
 """A term c·left·relations[n]·right, as the list of c, left, n and right."""
 
 
-class Step(TypedDict, total=False):
+class StepData(TypedDict, total=False):
     """A step of a proof by contradiction; each kind of step has some of the keys."""
 
     step: str
@@ -26,10 +26,10 @@ class Step(TypedDict, total=False):
     coefficients: list[int]
     factors: list[Polynomial]
     powers: list[int]
-    branches: list[list[Step]]
+    branches: list[list[StepData]]
 
 
-class Item(TypedDict, total=False):
+class ItemData(TypedDict, total=False):
     """An item of an implication: a polynomial of an ideal, or a list of steps to a contradiction."""
 
     characteristic: int
@@ -39,10 +39,10 @@ class Item(TypedDict, total=False):
     cofactors: list[Polynomial]
     denominator: int
     nonzero: list[Polynomial]
-    steps: list[Step]
+    steps: list[StepData]
 
 
-class FieldFact(TypedDict, total=False):
+class FactData(TypedDict, total=False):
     """A rule of the field that steps use."""
 
     form: str
@@ -50,7 +50,7 @@ class FieldFact(TypedDict, total=False):
     algebra: str
 
 
-class Case(TypedDict):
+class CaseData(TypedDict):
     """A case of an existence: its condition, and terms that work there."""
 
     when: str
@@ -58,14 +58,14 @@ class Case(TypedDict):
     proof: EvidenceData
 
 
-class Part(TypedDict):
+class PartData(TypedDict):
     """The verdict and the evidence of a part of a compound statement."""
 
     verdict: str
     evidence: EvidenceData
 
 
-class WordProof(TypedDict):
+class WordProofData(TypedDict):
     """The proof of a goal about associative algebras."""
 
     cofactors: list[Cofactor]
@@ -80,21 +80,21 @@ class EvidenceData(TypedDict, total=False):
     rings: list[RingData]
     evidence: EvidenceData
     proof: EvidenceData
-    items: list[Item]
-    facts: list[FieldFact]
+    items: list[ItemData]
+    facts: list[FactData]
     terms: dict[str, str]
-    cases: list[Case]
+    cases: list[CaseData]
     cover: EvidenceData
     values: dict[str, list[str]]
     unknowns: list[str]
     tuples: list[tuple[str, list[int]]]
-    parts: list[Part]
+    parts: list[PartData]
     part: int
-    left: Part
-    right: Part
+    left: PartData
+    right: PartData
     characteristic: int
     identity: bool
-    proofs: list[WordProof]
+    proofs: list[WordProofData]
     table: dict[str, list[int]]
     goal: int
     value: list[int]

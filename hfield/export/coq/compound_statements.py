@@ -14,7 +14,7 @@ from hfield.checker.rejection import Rejected
 from hfield.checker.vocabulary.logic import VocabularyStatement, read_proposition
 from hfield.evidence import Kind
 from hfield.export.coq.base_rings import base_ring_of
-from hfield.export.coq.certificate_data import EvidenceData, Part
+from hfield.export.coq.certificate_data import EvidenceData, PartData
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.judgement import Judgement
 from hfield.export.coq.sentences import COMPUTED, IN_RINGS, Proved
@@ -167,7 +167,7 @@ class _CompoundStatement:
     def _text(self) -> str:
         return f"{self.whole.word}{{{';'.join(self.whole.parts)}}}"
 
-    def _every(self, parts: Sequence[Part]) -> Proved:
+    def _every(self, parts: Sequence[PartData]) -> Proved:
         if len(parts) != len(self.whole.parts):
             raise MismatchError("there is not evidence for every part")
         found = []

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from flint.utils.flint_exceptions import DomainError
 
-from hfield.export.coq.certificate_data import Item, Step
+from hfield.export.coq.certificate_data import ItemData, StepData
 from hfield.export.coq.cofactors import MismatchError, Numerators, written
 from hfield.export.coq.formulas import Equation, Formula, Junction, equations
 from hfield.export.coq.terms import NotCoveredError, Terms
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class CertificateItem:
     """One item of the certificate, with its polynomials."""
 
-    raw: Item
+    raw: ItemData
     zeros: list[flint.fmpz_mpoly]
     member: flint.fmpz_mpoly | None = None
     nonzeros: list[flint.fmpz_mpoly] = field(default_factory=list)
@@ -224,11 +224,11 @@ def _list(parts: Iterable[str]) -> str:
 class Items:
     """The items of one implication, in the variables of its statement."""
 
-    def __init__(self, terms: Terms, data: Sequence[Item]) -> None:
+    def __init__(self, terms: Terms, data: Sequence[ItemData]) -> None:
         self.terms = terms
         self.items = [self._item(raw) for raw in data]
 
-    def _item(self, raw: Item) -> CertificateItem:
+    def _item(self, raw: ItemData) -> CertificateItem:
         if raw.get("relations"):
             raise NotCoveredError("the evidence uses relations between constants of the field")
         read = self.terms.numerators.read
@@ -295,7 +295,7 @@ def _texts(names: Numerators, texts: Sequence[str]) -> str:
     return "[" + "; ".join(map(names.coq, texts)) + "]"
 
 
-def _steps(names: Numerators, steps: Sequence[Step], known: int) -> str:
+def _steps(names: Numerators, steps: Sequence[StepData], known: int) -> str:
     """Return the steps of a proof by contradiction in Coq, from this number of vanishing polynomials."""
     if not steps:
         raise MismatchError("a list of steps is empty")
@@ -332,7 +332,7 @@ def _steps(names: Numerators, steps: Sequence[Step], known: int) -> str:
     raise NotCoveredError(f"steps of the kind {kind!r}")
 
 
-def facts_used(items: Iterable[Item]) -> set[str]:
+def facts_used(items: Iterable[ItemData]) -> set[str]:
     """Return which rules of the field the steps of some items use."""
     found: set[str] = set()
     left = [step for item in items for step in item.get("steps", ())]
@@ -349,7 +349,7 @@ def _integer(value: object) -> int:
     return value
 
 
-def _denominators(steps: Iterable[Step]) -> Iterable[int]:
+def _denominators(steps: Iterable[StepData]) -> Iterable[int]:
     for step in steps:
         yield _integer(step["denominator"])
         for branch in step.get("branches", ()):

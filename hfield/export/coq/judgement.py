@@ -26,7 +26,7 @@ from hfield.export.coq.base_rings import (
     base_ring_of,
     of_characteristic,
 )
-from hfield.export.coq.certificate_data import EvidenceData, FieldFact, Item
+from hfield.export.coq.certificate_data import EvidenceData, FactData, ItemData
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.consequences import Directly, Items, facts_used, has_cases, is_positive
 from hfield.export.coq.existence import by_cases, by_terms, counterexample, example, none_exists
@@ -161,7 +161,7 @@ MAX_CASES = 300_000
 MAX_WORDS = 64  # of a list of tuples of basis vectors
 
 
-def implied(j: Judgement, items: Sequence[Item], facts: Sequence[FieldFact] = ()) -> Proved:
+def implied(j: Judgement, items: Sequence[ItemData], facts: Sequence[FactData] = ()) -> Proved:
     """Prove a statement from its items of evidence; an identity needs none."""
     field = j.setting.field
     base_ring = FIELDS if field is None else base_ring_of(field)
@@ -203,7 +203,7 @@ def implied(j: Judgement, items: Sequence[Item], facts: Sequence[FieldFact] = ()
 
 
 def _check_facts(
-    j: Judgement, used: set[str], facts: Sequence[FieldFact], base_ring: BaseRing
+    j: Judgement, used: set[str], facts: Sequence[FactData], base_ring: BaseRing
 ) -> None:
     """Raise NotCoveredError for facts that Coq cannot prove, MismatchError for wrong ones."""
     for form in used & {"norm", "squares"}:
@@ -230,7 +230,7 @@ def _directly(j: Judgement, sentence: Sentence, read: Items) -> bool:
     return Directly(usable).derives([], goal)
 
 
-def _everywhere(j: Judgement, items: Sequence[Item]) -> Proved:
+def _everywhere(j: Judgement, items: Sequence[ItemData]) -> Proved:
     general = not (j.statement.divides or j.statement.compares_unequal)
     if general:
         sentence = Sentence(j.statement, j.setting, RINGS)
