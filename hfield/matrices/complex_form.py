@@ -8,7 +8,7 @@ act on it from the right (F. Zhang, "Quaternions and matrices of quaternions", L
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -17,10 +17,14 @@ from hfield.fields.floats import RDF
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from types import EllipsisType
+
+    from numpy.typing import NDArray
 
     from hfield.algebra.quaternion import Parent, Quaternion
 
-    Complex = np.ndarray[Any, np.dtype[np.complex128]]
+    Complex: TypeAlias = NDArray[np.complex128]
+    Place: TypeAlias = tuple[int | slice | EllipsisType, ...]
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,7 @@ class Pair:
         """Return the same in arrays of its own."""
         return Pair(self.u.copy(), self.v.copy())
 
-    def scaled(self, factors: Any) -> Pair:
+    def scaled(self, factors: float | NDArray[np.float64]) -> Pair:
         """Return this with its columns, or all of it, times real numbers."""
         return Pair(self.u * factors, self.v * factors)
 
@@ -51,10 +55,10 @@ class Pair:
         """The adjoint."""
         return Pair(self.u.conj().mT, -self.v.mT)
 
-    def __getitem__(self, place: Any) -> Pair:
+    def __getitem__(self, place: Place) -> Pair:
         return Pair(self.u[place], self.v[place])
 
-    def __setitem__(self, place: Any, part: Pair) -> None:
+    def __setitem__(self, place: Place, part: Pair) -> None:
         self.u[place], self.v[place] = part.u, part.v
 
     @property
@@ -66,9 +70,11 @@ class Pair:
         )
 
     @property
-    def sizes(self) -> Any:
+    def sizes(self) -> NDArray[np.float64]:
         """The Frobenius norms."""
-        return np.sqrt((abs(self.u) ** 2 + abs(self.v) ** 2).sum((-1, -2)))
+        found: NDArray[np.float64]
+        found = np.sqrt((abs(self.u) ** 2 + abs(self.v) ** 2).sum((-1, -2)))
+        return found
 
 
 def column(v: Complex) -> Pair:

@@ -7,7 +7,7 @@ an eigenvector or singular vector of the complex matrices is completed to a unit
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,7 +18,13 @@ from hfield.fields.quadratic_forms import is_division
 from hfield.matrices.complex_form import Pair, beginning_with, column, identity, pair_of, rows_of
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from hfield.fields.algebraic.closed_forms import Closed
+    from hfield.fields.algebraic.surds import Surd
     from hfield.matrices.matrix import Matrix
+
+T = TypeVar("T")
 
 ROUNDING = 64 * float(np.finfo(float).eps)  # times the size, relative: what residuals may be
 
@@ -45,9 +51,9 @@ class PolarDecomposition(NamedTuple):
     positive: Matrix
 
 
-def right_eigenvalues(M: Matrix) -> Any:
+def right_eigenvalues(M: Matrix) -> tuple[Surd | Closed, ...] | np.ndarray:
     """Return one complex λ with Im λ ≥ 0 for each class; see :meth:`Matrix.right_eigenvalues`."""
-    F: Any = M.algebra.ring
+    F = M.algebra.ring
     if F.closure == "real closed":
         return _exactly(M)
     pair = _pair(M, square=True)
@@ -83,9 +89,9 @@ def _paired(values: np.ndarray) -> np.ndarray:
     return np.stack(out, -1).reshape(*shape, count // 2)
 
 
-def _exactly(M: Matrix) -> tuple[Any, ...]:
+def _exactly(M: Matrix) -> tuple[Surd | Closed, ...]:
     """Return the eigenvalues in CC: half the roots of the characteristic polynomial."""
-    F: Any = M.algebra.ring
+    F = M.algebra.ring
     whole = [CC(c) for c in M.reduced_characteristic_polynomial()]
     if not is_division(F, M.algebra.constants):
         raise CoercionError(
@@ -186,7 +192,7 @@ def _matrix(M: Matrix, pair: Pair) -> Matrix:
     return M._like(rows_of(M.algebra, pair))
 
 
-def _lapack(function: Any, matrices: np.ndarray) -> Any:
+def _lapack(function: Callable[[np.ndarray], T], matrices: np.ndarray) -> T:
     """Apply LAPACK to scaled matrices, since some builds fail on large entries."""
     try:
         return function(matrices / _scale(matrices)[..., None, None])

@@ -6,11 +6,13 @@ characteristic not 2, where a diagonal form is Σ dₙ·N(xₙ).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from hfield.errors import CoercionError, RingError, UndecidedError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from hfield.algebra.quaternion import Quaternion
     from hfield.matrices.matrix import Matrix
 
@@ -66,7 +68,9 @@ def diagonal_form(M: Matrix) -> DiagonalForm:
     return DiagonalForm(tuple(rows[s][s] for s in range(n)), M._like(basis))
 
 
-def _make_unit(M: Matrix, rows: list[list[Quaternion]], k: int, add: Any) -> int | None:
+def _make_unit(
+    M: Matrix, rows: list[list[Quaternion]], k: int, add: Callable[[int, int, Quaternion], None]
+) -> int | None:
     """Change the basis so that an entry of the diagonal is a unit, and return which; None if all is 0."""
     n, left = len(rows), False
     for r in range(k, n):
@@ -89,7 +93,7 @@ def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
 
     Raises :class:`RingError` unless the norm of the algebra is positive in the ordering, which there is.
     """
-    F: Any = M.algebra.ring
+    F = M.algebra.ring
     if not F.is_exact:
         raise UndecidedError(f"signs over {F.name} are not exact; M.right_eigenvalues() are there")
     if not is_definite(M, ordering):

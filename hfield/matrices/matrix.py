@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Scalar
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -35,8 +36,11 @@ from hfield.symbols import as_list, is_quaternion
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
+    import numpy as np
     import sympy
 
+    from hfield.fields.algebraic.closed_forms import Closed
+    from hfield.fields.algebraic.surds import Surd
     from hfield.fields.base.ring import Ring
     from hfield.matrices.decompositions import SVD, PolarDecomposition, Schur
     from hfield.matrices.hermitian import DiagonalForm, HermitianSignature
@@ -76,7 +80,7 @@ class Matrix(PrintedBySympy):
     def __init__(
         self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix | Quaternion
     ) -> None:
-        given: Any = rows.rows if isinstance(rows, Matrix) else as_list(rows)
+        given: object = rows.rows if isinstance(rows, Matrix) else as_list(rows)
         if isinstance(given, Quaternion) and len(given.shape) > 1:
             m, n = given.shape[-2:]
             given = [[given[..., r, s] for s in range(n)] for r in range(m)]
@@ -272,14 +276,15 @@ class Matrix(PrintedBySympy):
                 f"{what} is defined for square matrices; this one has the shape {self.shape}"
             )
 
-    def reduced_norm(self) -> Any:
+    def reduced_norm(self) -> Scalar:
         """Return the reduced norm, in the base ring: multiplicative, ``q.norm()`` for one entry.
 
         The determinant over S = F[X]/(X² − tX − a) under u + vj ↦ [[u, v], [b·v̄, ū]]. Rows with a unit in
         them are taken away, and what is left is expanded without division (Berkowitz 1984).
         """
         self._expect_square("the reduced norm")
-        rows, norm = [list(row) for row in self.rows], self.algebra.ring.one
+        rows = [list(row) for row in self.rows]
+        norm: Scalar = self.algebra.ring.one
         while rows:
             at = next(
                 ((r, c) for r, row in enumerate(rows) for c, q in enumerate(row) if q.is_unit()),
@@ -295,13 +300,13 @@ class Matrix(PrintedBySympy):
                 del row[at[1]]
         return norm
 
-    def reduced_characteristic_polynomial(self) -> tuple[Any, ...]:
+    def reduced_characteristic_polynomial(self) -> tuple[Scalar, ...]:
         """Return the coefficients in the base ring, low degree first, monic of degree 2n; M is a root."""
         self._expect_square("the characteristic polynomial")
         from hfield.matrices.characteristic_polynomials import characteristic_polynomial
 
         F, c = self.algebra.ring, self.algebra.constants
-        blocks: list[list[tuple[Any, Any]]] = []
+        blocks: list[list[tuple[Scalar, Scalar]]] = []
         for row in self.rows:
             upper, lower = [], []
             for q in row:
@@ -342,7 +347,7 @@ class Matrix(PrintedBySympy):
 
     def _beside(self, right: Matrix | None = None) -> Cleared:
         """Return the matrix cleared by units, with another one right of it."""
-        rows: Any = self.rows
+        rows: Sequence[Sequence[Quaternion]] = self.rows
         if right is not None:
             rows = [[*x, *y] for x, y in zip(self.rows, right.rows, strict=True)]
         return Cleared(self.algebra, rows, self.shape[1])
@@ -446,7 +451,7 @@ class Matrix(PrintedBySympy):
 
     # --- eigenvalues ---------------------------------------------------------------------------
 
-    def right_eigenvalues(self) -> Any:
+    def right_eigenvalues(self) -> tuple[Surd | Closed, ...] | np.ndarray:
         """Return the complex λ, Im λ ≥ 0, with M·x = x·λ for an x ≠ 0, n of them with multiplicity.
 
         Each stands for its class, all q⁻¹·λ·q; in (a, b | F) i/√−a is the imaginary unit. Over RR a tuple of
@@ -510,7 +515,7 @@ class Matrix(PrintedBySympy):
         rows = (", ".join(q.text(style) for q in row) for row in self.rows)
         return f"[{', '.join(f'[{row}]' for row in rows)}]"
 
-    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> sympy.Basic:
         """Return the matrix of sympy, or an array of shape (m, n, 4), as :func:`hfield.to_sympy` does."""
         import sympy
 
@@ -519,7 +524,7 @@ class Matrix(PrintedBySympy):
             return sympy.ImmutableMatrix(rows)
         return sympy.Array([[list(q) for q in row] for row in rows])
 
-    def _sympy_(self) -> Any:
+    def _sympy_(self) -> sympy.Basic:
         return self._in_sympy({})
 
     def __str__(self) -> str:

@@ -3,30 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TypeVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, shorten
 from hfield.syntax import OfTrees
 
-Names = dict[str, Any]
-Functions = dict[str, Callable[..., Any]]
+T = TypeVar("T")
 
 
 def vocabulary(
-    algebra: Parent, wrap: Callable[[Quaternion], Any], constant: Callable[[Any], Quaternion]
-) -> tuple[Names, Functions]:
+    algebra: Parent, wrap: Callable[[Quaternion], T], constant: Callable[[T], Quaternion]
+) -> tuple[dict[str, T], dict[str, Callable[..., T]]]:
     """Return the names of constants, and the ring's functions, such as sqrt, of scalars.
 
     ``wrap`` makes what is read of an element, ``constant`` takes it back, or raises for what is none.
     """
     F = algebra.ring
 
-    def lifted(f: Callable[..., Any]) -> Callable[..., Any]:
+    def lifted(f: Callable[..., Scalar]) -> Callable[..., T]:
         if isinstance(f, OfTrees):
             return f.then(lambda x: wrap(algebra.scalar(x)))
 
-        def apply(*arguments: Any) -> Any:
+        def apply(*arguments: T) -> T:
             elements = [constant(x) for x in arguments]
             for q in elements:
                 if q.vector_part:

@@ -11,10 +11,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure import radical
+from hfield.core.product import Scalar
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -46,6 +47,8 @@ from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     import sympy
+
+    from hfield.fields.base.ring import Ring
 
 MAX_DEGREE = 1000
 MAX_FAILED = 3_000
@@ -283,14 +286,14 @@ class Polynomial(PrintedBySympy):
             out = out + sign + term if out else sign.strip().replace("+", "") + term
         return out or "0"
 
-    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> sympy.Quaternion | sympy.Matrix:
         """Return an element with polynomials as coordinates, as :func:`hfield.to_sympy` does."""
         A, x = self.parent.algebra, symbol(self.parent.variable, symbols)
         columns = [[A.ring.to_sympy(c, symbols) for c in q.coordinates] for q in self.coefficients]
         rows = [polynomial_in(x, (column[n] for column in columns)) for n in range(4)]
         return of_coordinates(A.ring, A.constants, rows)
 
-    def _sympy_(self) -> Any:
+    def _sympy_(self) -> sympy.Quaternion | sympy.Matrix:
         return self._in_sympy({})
 
     def __str__(self) -> str:
@@ -347,11 +350,11 @@ class Polynomial(PrintedBySympy):
         own = tuple(r for r in scalars if not self(r))
         return Roots(tuple(spheres), tuple(alone), tuple(families), own, self)
 
-    def _on_spheres(self, q: Quaternion, spheres: Iterable[tuple[Any, Any]]) -> bool:
+    def _on_spheres(self, q: Quaternion, spheres: Iterable[tuple[Scalar, Scalar]]) -> bool:
         """Return whether q lies on one of the spheres: q² = t·q − n."""
         return any(not self.parent([n, -t, 1])(q) for t, n in spheres)
 
-    def _base_norm(self) -> list[Any]:
+    def _base_norm(self) -> list[Scalar]:
         """Return the coefficients of the norm in the base ring."""
         return [c.coordinates[0] for c in self.norm().coefficients]
 
@@ -383,9 +386,9 @@ class Polynomial(PrintedBySympy):
 
     def _singular_roots(self) -> Roots:
         """Return the roots where norm(f) = 0 and the algebra has zero divisors modulo its radical."""
-        A: Any = self.parent.algebra
+        A = self.parent.algebra
         F = A.ring
-        content: list[Any] = []
+        content: list[Scalar] = []
         for n in range(4):
             content = common_divisor(F, content, [c.coordinates[n] for c in self.coefficients])
         scalars = tuple(A.scalar(-g[0]) for g in F.irreducible_factors(content) if len(g) == 2)
@@ -447,7 +450,7 @@ class Factoring:
     kind.
     """
 
-    def __init__(self, A: Any, division: bool) -> None:
+    def __init__(self, A: Parent, division: bool) -> None:
         self.algebra, self.division, self.is_whole = A, division, True
         self.rest: Polynomial | None = None
         self.failed: set[Polynomial] = set()
@@ -482,10 +485,10 @@ class Factoring:
             yield from found.elements()
 
 
-def _double_root(F: Any, t: Any, n: Any) -> list[Any]:
+def _double_root(F: Ring, t: Scalar, n: Scalar) -> list[Scalar]:
     """Return the r with x² − t·x + n = (x − r)², one or none."""
     if F.characteristic != 2:
-        half = t / F(2)
+        half = F.divide(t, F(2))
         return [half] if F.equal(half * half, n) else []
     root = F.sqrt(n) if F.is_zero(t) else None
     return [] if root is None else [root]

@@ -10,30 +10,32 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.algebra.structure.counting.formulas_finite import count_trace_and_norm
 from hfield.algebra.structure.elements.trace_and_norm import all_elements_of
+from hfield.core.product import Scalar
 from hfield.errors import NotFiniteError, TooLargeError
 from hfield.fields.quadratic_forms import split
 from hfield.polynomials.singular_polynomials import Matrix, count_other_roots, other_roots
 
 if TYPE_CHECKING:
+    from hfield.fields.quadratic_forms.isomorphisms.splitting import CoordinateSplitting
     from hfield.polynomials.polynomial import Polynomial
 
 MAX_LISTED_ROOTS = 1_000_000
 MAX_LISTED_ELEMENTS = 100_000  # of an algebra that is neither simple nor a field modulo its radical
 
-Places = tuple[tuple[Any, Any], ...]
+Spheres = tuple[tuple[Scalar, Scalar], ...]
 
 
 @dataclass(frozen=True)
 class Family(ABC):
     """An infinite or multiple set of roots: of trace t and norm n, or, where these are None, of several."""
 
-    t: Any
-    n: Any
+    t: Scalar | None
+    n: Scalar | None
     example: Quaternion
     polynomial: Polynomial = field(repr=False)
 
@@ -83,7 +85,7 @@ class AffineFamily(Family):
 class SingularFamily(Family):
     """All roots outside the spheres of a polynomial of norm 0."""
 
-    spheres: Places = field(repr=False)
+    spheres: Spheres = field(repr=False)
 
     def contains(self, q: Quaternion) -> bool:
         """Return whether an element is a root that lies on no sphere."""
@@ -93,7 +95,7 @@ class SingularFamily(Family):
 
     def elements(self) -> Iterator[Quaternion]:
         """Yield the roots over a finite field, trace by trace, or element by element."""
-        A: Any = self.example.algebra
+        A = self.example.algebra
         found = matrices_of(self.polynomial)
         if found is None:
             yield from (q for q in A.elements() if self.contains(q))
@@ -111,9 +113,9 @@ class SingularFamily(Family):
         return sum(1 for _ in self.elements()) if found is None else count_other_roots(F, found[1])
 
 
-def matrices_of(f: Polynomial) -> tuple[Any, list[Matrix]] | None:
+def matrices_of(f: Polynomial) -> tuple[CoordinateSplitting, list[Matrix]] | None:
     """Return a splitting of the algebra and the coefficients as matrices; None where it is not simple."""
-    A: Any = f.parent.algebra
+    A = f.parent.algebra
     if not A.is_central_simple():
         return None
     matrices = split(A.ring, A.constants)
@@ -136,7 +138,7 @@ class Roots:
     ``scalars`` are all roots in the base field, wherever else they lie.
     """
 
-    spheres: Places
+    spheres: Spheres
     isolated: tuple[Quaternion, ...]
     families: tuple[Family, ...]
     scalars: tuple[Quaternion, ...]
@@ -174,7 +176,7 @@ class Roots:
         return self._elements()
 
     def _elements(self) -> Iterator[Quaternion]:
-        A: Any = self.polynomial.parent.algebra
+        A = self.polynomial.parent.algebra
         yield from self.scalars
         yield from (q for q in self.isolated if q.vector_part)
         for t, n in self.spheres:
@@ -183,7 +185,7 @@ class Roots:
         for m in self.families:
             yield from (q for q in m.elements() if q.vector_part)
 
-    def _sphere_size(self, t: Any, n: Any) -> int:
+    def _sphere_size(self, t: Scalar, n: Scalar) -> int:
         """Count the elements of trace t and norm n outside F."""
         A = self.polynomial.parent.algebra
         F, c = A.ring, A.constants
