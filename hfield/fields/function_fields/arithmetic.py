@@ -82,10 +82,10 @@ class FunctionArithmetic(GlobalField):
     ) -> int:
         """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
         field = self.ring
-        a, b = self._nonzero(a, b)
+        x, y = self._nonzero(a, b)
         v = self.read_place(place)
         t = field.one if field.characteristic == 2 else field.zero
-        form = normal_form(field, Constants(a, t, b))
+        form = normal_form(field, Constants(x, t, y))
         return self._symbol(form, v)
 
     def _symbol(self, form: NormalForm, v: FunctionPlace) -> int:

@@ -9,21 +9,31 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Generic
 
 from hfield.core.factorisation import Factors, known_primes, shared_primes
 from hfield.core.primality import WORD
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError, UndecidedError, shorten
 from hfield.fields.base.registry import REGISTRY
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.quadratic_forms.minimal_conics import Vector
 from hfield.fields.quadratic_forms.norm_forms.local_order import hyperbolic_plane, unit_and_prime
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.fields.quadratic_forms.normal_forms import NormalForm
 
 if TYPE_CHECKING:
+    from typing import Any
+
+    from typing_extensions import TypeVar
+
     from hfield.fields.base.finite_places import FinitePlace
+
+    P = TypeVar("P", bound=Hashable, default=Any)  # ``GlobalField`` alone: of any kind of places
+else:
+    from typing import TypeVar
+
+    P = TypeVar("P")  # a place of the field
 
 
 def global_field(ring: Ring) -> GlobalField | None:
@@ -67,7 +77,7 @@ def no_flag(ring: Ring) -> RingError:
     )
 
 
-class GlobalField(ABC):
+class GlobalField(ABC, Generic[E, P]):
     """The arithmetic of a field with places, for quaternion algebras over it.
 
     Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
@@ -75,11 +85,11 @@ class GlobalField(ABC):
     factorisation out of reach, raises :class:`hfield.UndecidedError`.
     """
 
-    ring: Any  # the field, of the class that names this one
+    ring: Ring[E]  # the field, of the class that names this one
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
     cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
 
-    def __init__(self, ring: Ring) -> None:
+    def __init__(self, ring: Ring[E]) -> None:
         self.ring = ring
 
     @classmethod
@@ -104,28 +114,28 @@ class GlobalField(ABC):
         """
         raise UndecidedError(f"the completions of {self.ring} are not local fields: use residues")
 
-    def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
+    def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[E, E]:
         """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
-        a, b = self.ring(a), self.ring(b)
+        x, y = self.ring(a), self.ring(b)
         even = self.ring.characteristic == 2
-        if self.ring.is_zero(b) or (not even and self.ring.is_zero(a)):
+        if self.ring.is_zero(y) or (not even and self.ring.is_zero(x)):
             raise RingError(
                 "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
             )
-        return a, b
+        return x, y
 
     @abstractmethod
-    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
+    def ramified(self, form: NormalForm[E]) -> tuple[P, ...]:
         """Return the places where a form does not split: finite ones ascending, then infinite ones.
 
         Where the field is no global field in the strict sense, the places with a residue (Faddeev).
         """
 
     @abstractmethod
-    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+    def discriminant(self, ramified: tuple[P, ...]) -> object:
         """Return the product of the finite ones among the ramified places, as the field writes ideals."""
 
-    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
+    def why_ramified(self, form: NormalForm[E], places: tuple[P, ...]) -> str:
         """Say why an algebra that ramifies at the places has no zero divisors."""
         shown = ", ".join(map(str, places))
         return (
@@ -133,7 +143,7 @@ class GlobalField(ABC):
         )
 
     def with_ramification(
-        self, places: Sequence[Any], infinite: bool | None = None
+        self, places: Sequence[P], infinite: bool | None = None
     ) -> tuple[Scalar, ...]:
         """Return constants (a, b), or (a, b, t), of an algebra that ramifies exactly at the places.
 
@@ -146,28 +156,28 @@ class GlobalField(ABC):
             f"algebras are made from their ramification over number fields and GF(q)(t), not over {self.ring}"
         )
 
-    def ramified_at_small_places(self, form: NormalForm) -> tuple[Hashable, ...]:
+    def ramified_at_small_places(self, form: NormalForm[E]) -> tuple[P, ...]:
         """Return some places where a form does not split, without factoring anything."""
         return ()
 
     # --- zeros of norm forms, and why there are none -------------------------------------------
 
     @abstractmethod
-    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+    def unramified_zero(self, c: Constants, form: NormalForm[E]) -> ZeroNorm:
         """Return an element of norm 0 of an algebra without ramified places, as :meth:`ramified` finds them.
 
         It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
         that there is none.
         """
 
-    def residues(self, place: Any) -> FinitePlace | None:
+    def residues(self, place: P) -> FinitePlace | None:
         """Return a finite place with its residue field, as in :mod:`hfield.fields.base.finite_places`.
 
         None for an infinite place of a number field, and where the residue field is not finite.
         """
         return None
 
-    def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+    def unit_and_prime(self, c: Constants, place: P) -> tuple[Vector, Vector] | None:
         """Return two quaternions that prove the norm to be anisotropic over the completion (Voight, 13.3.11).
 
         Return None if the norm is isotropic, or if :meth:`residues` returns None.
@@ -175,7 +185,7 @@ class GlobalField(ABC):
         at = self.residues(place)
         return None if at is None else unit_and_prime(at, *self._exact(c))
 
-    def hyperbolic_plane(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+    def hyperbolic_plane(self, c: Constants, place: P) -> tuple[Vector, Vector] | None:
         """Return q and u on whose span the norm has a zero over the completion, by Hensel's lemma.
 
         None where it has none, and where :meth:`residues` has none; see :mod:`local_order`.
@@ -187,7 +197,7 @@ class GlobalField(ABC):
         """Return the constants and 1 as numbers that the place computes with."""
         return c, self.ring.one
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+    def evidence(self, c: Constants, places: Iterable[P]) -> Iterator[Mapping[str, object]]:
         """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
         for place in places:
             found = self.unit_and_prime(c, place)
@@ -198,30 +208,30 @@ class GlobalField(ABC):
     # --- isomorphisms and square roots ---------------------------------------------------------
 
     def residue_forms(
-        self, form: Sequence[Any]
-    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+        self, form: Sequence[E]
+    ) -> Iterator[tuple[object, Ring, list[Scalar], list[Scalar]]]:
         """Yield places with known residue fields, and the residues of a form's coefficients there.
 
         Those of even order, then those of odd order, which are divided by a uniformiser. None by default.
         """
         return iter(())
 
-    def is_anisotropic(self, form: Sequence[Any]) -> bool | None:
+    def is_anisotropic(self, form: Sequence[E]) -> bool | None:
         """Return whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
         return None
 
-    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+    def same_class(self, form: NormalForm[E], other: NormalForm[E]) -> bool:
         """Return whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
         return self.ramified(form) == self.ramified(other)
 
-    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+    def sharing_primes(self, *forms: NormalForm[E]) -> AbstractContextManager[None]:
         """Share the primes found in one of the constants with the others, inside the ``with``."""
         numbers = [n for form in forms for x in form.constants for n in self._to_factor(x)]
         if all(-WORD < n < WORD for n in numbers):  # these are factored at once
             return nullcontext()
         return known_primes(shared_primes(numbers), "")
 
-    def _to_factor(self, x: Any) -> Iterable[int]:
+    def _to_factor(self, x: E) -> Iterable[int]:
         """Return the whole numbers that are factored where places are looked for at which x is not a unit."""
         return ()
 
@@ -232,39 +242,39 @@ class GlobalField(ABC):
         """
         raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
 
-    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+    def traceless_root(self, form: NormalForm[E], s: E) -> Coordinates | None:
         """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
 
         It is a division algebra, the characteristic is not 2, and s is not a square (Voight, 14.6.7).
         """
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
-    def obstruction(self, form: NormalForm, t: Any, n: Any) -> Hashable | None:
+    def obstruction(self, form: NormalForm[E], t: E, n: E) -> P | None:
         """Return a place where no element has trace t and norm n, for x² − t·x + n without root; or None.
 
         No field splits a division algebra into which it does not embed, and F_v is no larger than itself.
         """
         return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
-    def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
+    def has_root_at(self, place: P, t: E, n: E) -> bool:
         """Return whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))
 
     # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
 
-    def of_trace_one(self, form: NormalForm, n: Any) -> Coordinates | None:
+    def of_trace_one(self, form: NormalForm[E], n: E) -> Coordinates | None:
         """Return some x of trace 1 and norm n in a division algebra [a, b | F), in its basis, or None."""
         raise UndecidedError(f"elements of trace 1 over {self.ring} are not sought")
 
-    def square_parts(self, x: Any) -> tuple[Scalar, Scalar]:
+    def square_parts(self, x: E) -> tuple[E, E]:
         """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
-    def as_norm(self, x: Any, s: Any) -> tuple[Scalar, Scalar]:
+    def as_norm(self, x: E, s: E) -> tuple[E, E]:
         """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is not a square."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
-    def artin_schreier(self, x: Any) -> Any:
+    def artin_schreier(self, x: E) -> E | None:
         """Return y with ``y² + y = x``, or None."""
         raise UndecidedError(f"y² + y = x is not solved over {self.ring}")

@@ -11,40 +11,40 @@ algebra splits.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Generic, TypeAlias
 
-from hfield.core.product import Constants, Scalar
+from hfield.core.product import Constants
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.linear_algebra.vectors import dot
 
 if TYPE_CHECKING:
     from hfield.fields.base.finite_places import FinitePlace
-    from hfield.fields.base.ring import Ring
 
 
-Vector = list[Any]
-Form = tuple[Any, Any, Any, Any, Any, Any]
+Vector: TypeAlias = list[E]
+Form: TypeAlias = tuple[E, E, E, E, E, E]
 """The coefficients of x², y², z², yz, xz, xy."""
 
 
 @dataclass
-class ConicLattice:
+class ConicLattice(Generic[E]):
     """A basis of a lattice in k(t)³ and the scale by which the form is multiplied."""
 
-    basis: list[Vector]
-    scale: Any
+    basis: list[Vector[E]]
+    scale: E
 
 
-class Conic:
+class Conic(Generic[E]):
     """A nondegenerate quadratic form in three variables over a field with the given 0 and 1."""
 
-    def __init__(self, form: Form, zero: Scalar, one: Scalar) -> None:
+    def __init__(self, form: Form[E], zero: E, one: E) -> None:
         self.form, self.zero, self.one = form, zero, one
 
-    def value(self, v: Vector) -> Any:
+    def value(self, v: Vector[E]) -> E:
         """Return f(v)."""
         return dot(v, self._half(v))
 
-    def coefficients(self, lattice: ConicLattice) -> Form:
+    def coefficients(self, lattice: ConicLattice[E]) -> Form[E]:
         """Return the coefficients of the scaled form on the basis."""
         s, basis = lattice.scale, lattice.basis
         halves = [self._half(v) for v in basis]
@@ -55,25 +55,25 @@ class Conic:
         )
         return f, g, h, p, q, r
 
-    def _half(self, v: Vector) -> Vector:
+    def _half(self, v: Vector[E]) -> Vector[E]:
         """Return a vector linear in v, whose product with v is f(v)."""
         x, y, z = v
         a, b, c, r, s, t = self.form
         return [a * x + t * y + s * z, b * y + r * z, c * z]
 
-    def start(self) -> ConicLattice:
+    def start(self) -> ConicLattice[E]:
         """Return the standard lattice."""
         o, e = self.zero, self.one
         return ConicLattice([[e, o, o], [o, e, o], [o, o, e]], e)
 
 
-def norm_form(field: Ring, c: Constants) -> Form:
+def norm_form(field: Ring[E], c: Constants[E]) -> Form[E]:
     """Return the norm form of an algebra on ⟨e, i, j⟩."""
     o, (a, t, b) = field.zero, c
     return field.one, -a, -b, o, o, t
 
 
-def half_discriminant(form: Form) -> Any:
+def half_discriminant(form: Form[E]) -> E:
     """Return half the determinant of the bilinear form, which makes sense in characteristic 2."""
     a, b, c, r, s, t = form
     four = a * b * c
@@ -81,7 +81,7 @@ def half_discriminant(form: Form) -> Any:
     return four + four + r * s * t - a * (r * r) - b * (s * s) - c * (t * t)
 
 
-def minimise(conic: Conic, lattice: ConicLattice, place: FinitePlace) -> bool:
+def minimise(conic: Conic[E], lattice: ConicLattice[E], place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there; return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with
@@ -113,7 +113,7 @@ def minimise(conic: Conic, lattice: ConicLattice, place: FinitePlace) -> bool:
         lattice.scale = lattice.scale * inverse
 
 
-def _radical(kappa: Any, form: list[Any]) -> list[Vector]:
+def _radical(kappa: FinitePlace, form: Vector) -> list[Vector]:
     """Return a basis of the vectors r with f(r) = 0 and f(r, ·) = 0 over the residue field."""
     a, b, c, r, s, t = form
     if all(x == 0 for x in form):
@@ -179,7 +179,7 @@ def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
 
 
 def _split_complement(
-    conic: Conic, lattice: ConicLattice, kappa: FinitePlace, vertex: int
+    conic: Conic[E], lattice: ConicLattice[E], kappa: FinitePlace, vertex: int
 ) -> list[int] | None:
     """Find a line of the form modulo p through its vertex; return the places of both vectors."""
     form = conic.coefficients(lattice)

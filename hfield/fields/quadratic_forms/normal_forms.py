@@ -1,14 +1,14 @@
 """Normal forms: (a, t, b) over a field becomes (a′, b′ | F), or [a′, b′ | F) in characteristic 2."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Generic, NamedTuple
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import UndecidedError
-from hfield.fields.base.ring import Ring, WithSquares
+from hfield.fields.base.ring import E, Ring, WithSquares
 
 
-class NormalForm(NamedTuple):
+class NormalForm(NamedTuple, Generic[E]):
     """``kind`` is ``"symbol"`` for (a, b | F) and ``"artin-schreier"`` for [a, b | F).
 
     ``back`` takes coordinates in the normal basis to coordinates in the given one, and ``forth``
@@ -16,13 +16,13 @@ class NormalForm(NamedTuple):
     """
 
     kind: str
-    a: Any
-    b: Any
+    a: E
+    b: E
     back: Callable[[Coordinates], Coordinates]
     forth: Callable[[Coordinates], Coordinates]
 
     @property
-    def constants(self) -> tuple[Any, Any]:
+    def constants(self) -> tuple[E, E]:
         """The two constants of the normal form."""
         return self.a, self.b
 
@@ -33,13 +33,13 @@ def basis_of(ring: Ring) -> tuple[Coordinates, Coordinates, Coordinates, Coordin
     return (e, o, o, o), (o, e, o, o), (o, o, e, o), (o, o, o, e)
 
 
-def discriminant(ring: Ring, c: Constants) -> Any:
+def discriminant(ring: Ring[E], c: Constants[E]) -> E:
     """Return ``(t² + 4a)·b``; the algebra over a field is central simple iff it is not 0."""
     a, t, b = c
     return (t * t + ring(4) * a) * b  # of a p-adic a, 4a is known to more digits than a + a + a + a
 
 
-def normal_form(ring: Ring, c: Constants) -> NormalForm:
+def normal_form(ring: Ring[E], c: Constants[E]) -> NormalForm[E]:
     """Complete the square (characteristic not 2), or divide i by t (characteristic 2, t ≠ 0).
 
     ``i − t/2`` has the square ``a + t²/4`` and anticommutes with j; in characteristic 2, i/t has
@@ -89,7 +89,7 @@ def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Scalar]) -> Coord
     )
 
 
-def pairing_matrix(ring: Ring, c: Constants) -> list[list[Any]]:
+def pairing_matrix(ring: Ring[E], c: Constants[E]) -> list[list[E]]:
     """Return the matrix of ``tr(u·conj(v))`` on e, i, j, k; its determinant is ``((t² + 4a)·b)²``."""
     a, t, b = c
     o, two = ring.zero, ring(2)

@@ -1,7 +1,6 @@
 """Places, Hilbert symbols and ramification over global fields."""
 
 from collections.abc import Hashable, Iterator
-from typing import Any
 
 from hfield.core.factorisation import Factors, known_primes
 from hfield.core.product import Constants, Scalar
@@ -76,7 +75,7 @@ def ramified_places(
         return known_field(ring).ramified(normal_form(ring, c))
 
 
-def reduced_discriminant(ring: Ring, c: Constants, factors: Factors | None = None) -> Any:
+def reduced_discriminant(ring: Ring, c: Constants, factors: Factors | None = None) -> object:
     """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
     Over a quadratic field, where it is an ideal, the tuple of its prime ideals. Raises as

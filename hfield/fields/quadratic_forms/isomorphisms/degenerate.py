@@ -6,8 +6,6 @@ all y² + y, or, with t = 0, commutative, F[√a, √b]: over a finite field or 
 F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 """
 
-from typing import Any
-
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import known_field
@@ -56,7 +54,7 @@ def _with_radical(ring: Ring, source: NormalForm, target: NormalForm) -> Pair | 
     return (null, (w, x, y, z)) if swapped[0] else ((w, x, y, z), null)
 
 
-def _artin_schreier(ring: Ring, x: Scalar) -> Any:
+def _artin_schreier(ring: Ring, x: Scalar) -> Scalar | None:
     """Return y with y² + y = x in a finite field or function field of characteristic 2, or None."""
     if ring.order is None:
         return known_field(ring).artin_schreier(x)

@@ -3,9 +3,8 @@
 import itertools
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
-from typing import Any
 
-from hfield.core.product import Constants, Coordinates, conjugate, multiply, trace
+from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, trace
 from hfield.errors import MixedParentsError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.linear_algebra.kernels import apply, kernel
@@ -63,8 +62,9 @@ class CoordinateIsomorphism:
         return from_pairings(self.ring, self.source, pairings)
 
 
-def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Any:
-    return trace(c, multiply(c, p, conjugate(c, q)))
+def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Scalar:
+    value: Scalar = trace(c, multiply(c, p, conjugate(c, q)))
+    return value
 
 
 def verified(
@@ -79,7 +79,7 @@ def verified(
     k = multiply(target, i, j)
     images = (e, i, j, k)
 
-    def equal(p: Coordinates, *terms: tuple[Any, Coordinates]) -> bool:
+    def equal(p: Coordinates, *terms: tuple[Scalar, Coordinates]) -> bool:
         return all(
             ring.agree(p[n], sum((x * q[n] for x, q in terms[1:]), terms[0][0] * terms[0][1][n]))
             for n in range(4)

@@ -6,7 +6,6 @@ For a nondegenerate algebra that action is an isomorphism onto M₂(F).
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import CoercionError, UndecidedError
@@ -22,7 +21,7 @@ from hfield.fields.quadratic_forms.normal_forms import (
     root_if_known,
 )
 
-Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
+Matrix = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
 
 
 @dataclass(frozen=True)
@@ -174,7 +173,7 @@ def _checked(
     return CoordinateSplitting(ring, c, images, q)
 
 
-def _pairing(m: Matrix, n: Matrix) -> Any:
+def _pairing(m: Matrix, n: Matrix) -> Scalar:
     """Return the trace of m times the adjugate of n: tr(p·conj(q)) for the elements behind them."""
     (a, b), (c, d) = m
     (p, q), (r, s) = n

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from typing import Any
 
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
 from hfield.fields.quadratic_forms.normal_forms import basis_of
 
-Point = Callable[[Constants], tuple[Any, Any, Any]]
+Point = Callable[[Constants], tuple[Scalar, Scalar, Scalar]]
 
 
 def through_slot(
@@ -50,7 +49,7 @@ def _times_norm(
     return multiply(c, (w + scale * m, x, y, z), v)
 
 
-def conic_point(ring: Ring, c: Constants) -> tuple[Any, Any, Any]:
+def conic_point(ring: Ring, c: Constants) -> tuple[Scalar, Scalar, Scalar]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² + t·wx − a·x² − b·y² = 0`` for a split algebra.
 
     A zero divisor q gives the plane q·A of elements of norm 0, which meets ⟨e, i, j⟩.

@@ -10,15 +10,18 @@ the sum of theirs. Nothing in this depends on k, nor on its characteristic.
 from __future__ import annotations
 
 from itertools import permutations, product
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Scalar
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, none
 from hfield.fields.quadratic_forms.normal_forms import NormalForm
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from hfield.fields.base.flint_types import SparsePolynomial
+    from hfield.fields.function_fields.quotients import RationalFunction
 
 
 MAX_VARIABLES = 4
@@ -33,7 +36,7 @@ class ExpandedConstants(Protocol):
     def expanded_in(self) -> tuple[str, ...]:
         """The variables; () where elements have none after all."""
 
-    def parts(self, x: Any) -> list[Any]:
+    def parts(self, x: Scalar) -> Sequence[RationalFunction]:
         """Return the fractions ``num/den`` of which x consists; their leading terms do not cancel."""
 
 
@@ -68,7 +71,7 @@ def _placed(exponents: Exponents, order: Order) -> Exponents:
     return tuple(signs[m] * exponents[m] for m in places)
 
 
-def _value(parts: list[Any], order: Order) -> Exponents:
+def _value(parts: Sequence[RationalFunction], order: Order) -> Exponents:
     """Return the exponents of the leading term of a nonzero element; elements of k count for nothing."""
     values = [
         tuple(a - b for a, b in zip(_least(c.num, order), _least(c.den, order), strict=True))

@@ -16,10 +16,11 @@ import random
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield.core.product import Constants, Scalar, norm
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import E
 from hfield.fields.linear_algebra.vectors import dot
 from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, kernel_at
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 MAX_STEPS = 1_000
 
-Form = dict[tuple[int, int], Any]
+Form: TypeAlias = dict[tuple[int, int], E]
 
 
 @dataclass(frozen=True)
@@ -154,7 +155,7 @@ def _generates(place: FinitePlace, c: Constants, u: Vector, one: Scalar) -> bool
     return place.quadratic_root(a, b, d) is None
 
 
-def _norm(c: Constants, v: Vector) -> Any:
+def _norm(c: Constants[E], v: Vector[E]) -> E:
     w, x, y, z = v
     return norm(c, (w, x, y, z))
 
@@ -209,6 +210,7 @@ def _zeros(place: FinitePlace, form: Form, coordinates: Iterable[int]) -> list[V
     ]
 
 
-def _value(place: FinitePlace, form: Form, v: Vector) -> Any:
+def _value(place: FinitePlace, form: Form[E], v: Vector[E]) -> E:
     """Return the value of a form with coefficients in the residue field."""
-    return sum((f * v[m] * v[n] for (m, n), f in form.items()), place.zero) % place.modulus
+    value: E = sum((f * v[m] * v[n] for (m, n), f in form.items()), place.zero) % place.modulus
+    return value

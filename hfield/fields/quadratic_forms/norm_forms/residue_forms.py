@@ -7,13 +7,14 @@ coefficients, and has no zero where the residues of p and q have none over k.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import global_field
 
 
-def no_zero(F: Any, form: Sequence[Any]) -> str | None:
+def no_zero(F: Ring, form: Sequence[Scalar]) -> str | None:
     """Return why Σ cₙ·xₙ² has no zero but 0, or None where residues, signs and squares do not show it.
 
     >>> from hfield import ring

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply
 from hfield.fields.base.ring import Ring
@@ -22,7 +21,7 @@ class ZeroNorm(Verdict[Coordinates]):
     """
 
     method: str = ""
-    places: tuple[Any, ...] = ()
+    places: tuple[object, ...] = ()
     assumes: tuple[str, ...] = ()
 
 

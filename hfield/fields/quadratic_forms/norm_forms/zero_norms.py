@@ -6,7 +6,6 @@ procedures are tried from the cheap to the deep, and the first that applies deci
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
 
 from hfield.checker.anisotropy import is_certified
 from hfield.core.product import Constants, Coordinates, norm
@@ -27,7 +26,7 @@ from hfield.fields.quadratic_forms.normal_forms import (
     root_if_known,
 )
 
-Evidence = Mapping[str, Any]
+Evidence = Mapping[str, object]
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 
 

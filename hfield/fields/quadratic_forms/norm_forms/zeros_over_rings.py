@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.factorisation import factorise
-from hfield.core.product import Constants, Coordinates, norm
+from hfield.core.product import Constants, norm
 from hfield.errors import UndecidedError
 from hfield.fields.base.modular import Modular
-from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.ring import E, Ring, shared
 from hfield.fields.polynomial_rings import PolynomialRing
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.fields.quadratic_forms.normal_forms import discriminant, root_if_known
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import flint
 
     from hfield.fields.base.flint_types import SparsePolynomial
+    from hfield.fields.function_fields.quotients import FractionField, RationalFunction
 
 
 Decide = Callable[[Ring, Constants], ZeroNorm]
@@ -80,7 +81,8 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
         i for i in range(len(ring.variables)) if any(e[i] for x in c for e, _ in x.terms())
     ] or [0]
     for keep, point in itertools.islice(_points(used), 60):
-        field: Any = shared(PolynomialRing, ring.base, ring.variables[keep : keep + 1]).fractions
+        field: Any  # a field of a higher layer, whose elements are fractions of polynomials
+        field = shared(PolynomialRing, ring.base, ring.variables[keep : keep + 1]).fractions
         special = Constants(*(_specialise(x, field, keep, point) for x in c))
         if field.is_zero(discriminant(field, special)):
             continue
@@ -107,7 +109,7 @@ def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
             yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
 
 
-def _specialise(x: SparsePolynomial, field: Ring, index: int, point: dict[int, int]) -> Any:
+def _specialise(x: SparsePolynomial, field: Ring[E], index: int, point: dict[int, int]) -> E:
     """Return x with the variable ``index`` kept and values substituted for those in ``point``."""
     total = field.zero
     for exponents, c in x.terms():
@@ -119,7 +121,9 @@ def _specialise(x: SparsePolynomial, field: Ring, index: int, point: dict[int, i
     return total
 
 
-def _lift(ring: PolynomialRing, field: Any, index: int, q: Coordinates) -> list[flint.nmod_mpoly]:
+def _lift(
+    ring: PolynomialRing, field: FractionField, index: int, q: Sequence[RationalFunction]
+) -> list[flint.nmod_mpoly]:
     """Clear the denominators of four rational functions and read them in the polynomial ring."""
     common = field.one
     for x in q:
