@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import Factors
 from hfield.core.primality import primes
@@ -24,7 +24,8 @@ from hfield.fields.function_fields.common_slots import common_slot_functions, se
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.given_symbols import from_ramification_functions
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions, prime_divisors
-from hfield.fields.function_fields.residues import ResidueField, residues_at
+from hfield.fields.function_fields.quotients import RationalFunction
+from hfield.fields.function_fields.residues import FunctionResidues, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import (
     ramified_places_functions,
@@ -51,16 +52,16 @@ from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 from hfield.fields.rationals.whole_numbers import square_class
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import RationalFunction
+    from hfield.fields.base.flint_types import Polynomial
 
 
 POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
 PRIMES_TRIED = list(primes(1_000))
 
-Evidence = Mapping[str, Any]
+Evidence = Mapping[str, object]
 
 
-class FunctionArithmetic(GlobalField):
+class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
     """The common arithmetic of k(t) for k = GF(q), q odd or even, and k = ℚ."""
 
     ring: FunctionField
@@ -100,7 +101,7 @@ class FunctionArithmetic(GlobalField):
         return self.ring.product_of(v.poly for v in ramified)
 
     def with_ramification(
-        self, places: Sequence[Any], infinite: bool | None = None
+        self, places: Sequence[FunctionPlace], infinite: bool | None = None
     ) -> tuple[Scalar, ...]:
         """Return (a, b, t) over a finite field of constants, t = 1 in characteristic 2."""
         if infinite is not None or self.ring.base.order is None:
@@ -113,27 +114,31 @@ class FunctionArithmetic(GlobalField):
         reason = "no place is ramified, and this is a zero divisor"
         return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
 
-    def residues(self, place: FunctionPlace) -> ResidueField | None:
+    def residues(self, place: FunctionPlace) -> FunctionResidues | None:
         """Return k[t] modulo a polynomial, or k at infinity, for a finite k."""
         return None if self.ring.base.order is None else residues_at(place)
 
     def residue_forms(
         self, form: Sequence[RationalFunction]
-    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+    ) -> Iterator[tuple[object, Ring, Sequence[Scalar], Sequence[Scalar]]]:
         """Yield infinity and the prime divisors of the coefficients, over QQ or where they are linear."""
         F = self.ring
         polynomials = (p for c in form for p in (c.num, c.den))
         for place in (FunctionPlace(F), *prime_divisors(F, polynomials)):
             at = residues_at(place)
-            k: Any = F.base
-            if place.degree > 1:
-                if F.base.order is not None:
-                    continue
-                k = NumberField(place.poly)
-            parts: tuple[list[Any], list[Any]] = [], []
+            k: Ring
+            element: Callable[[Polynomial], Scalar]
+            if place.degree == 1:
+                k, element = F.base, lambda x: F.base(x[0])
+            elif F.base.order is None:
+                K = NumberField(place.poly)
+                k, element = K, functools.partial(FieldElement, K)
+            else:
+                continue
+            parts: tuple[list[Scalar], list[Scalar]] = [], []
             for c in form:
                 n, x = at.leading(c)
-                parts[n % 2].append(k(x[0]) if place.degree == 1 else FieldElement(k, x))
+                parts[n % 2].append(element(x))
             yield place, k, *parts
 
 
@@ -206,14 +211,16 @@ class OverRationals(FunctionArithmetic):
         try:
             return super().unramified_zero(c, form)
         except RamifiedError as error:
-            shown = ", ".join(map(str, error.place))
+            shown = ", ".join(map(str, error.places))
             reason = (
                 "all residues are trivial, so the algebra comes from one over QQ, its value at a point of "
                 f"the line, and that one is ramified at {shown}"
             )
-            return none("specialisation", reason, error.place, "Faddeev's exact sequence")
+            return none("specialisation", reason, error.places, "Faddeev's exact sequence")
 
-    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+    def evidence(
+        self, c: Constants, places: Iterable[FunctionPlace]
+    ) -> Iterator[Mapping[str, object]]:
         """Yield values of the variable at which the algebra is a division algebra over ℚ."""
         return specialised_evidence(c)
 
@@ -262,7 +269,7 @@ def _rational(c: Constants, every: bool) -> Evidence | None:
     if form.a < 0 and form.b < 0:
         return {"by": "ordering"}
     whole = square_class(form.a) * square_class(form.b)
-    primes: Iterable[Any] = (
+    primes: Iterable[Hashable] = (
         p
         for p in PRIMES_TRIED
         if (p == 2 or whole % p == 0) and hilbert_symbol_q(form.a, form.b, p) < 0

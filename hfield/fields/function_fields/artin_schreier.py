@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import solve_conic_functions
-from hfield.fields.function_fields.residues import ResidueField
+from hfield.fields.function_fields.residues import FunctionResidues, ResidueField
 from hfield.fields.function_fields.symbols import ramified_places_functions
 from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 TRIALS = 3_000
 
 
-def has_solution_at(at: ResidueField, m: RationalFunction) -> bool:
+def has_solution_at(at: FunctionResidues, m: RationalFunction) -> bool:
     """Return whether y² + y = m has a solution in the completion, by removing poles one after the other."""
     while m.num != 0 and (order := at.valuation(m)) <= 0:
         lead = at.reduce(m * at.uniformiser**-order)
@@ -63,11 +63,11 @@ def of_trace_one(field: FunctionField, form: NormalForm, m: RationalFunction) ->
     )
 
 
-def _pairs(field: FunctionField) -> Iterator[tuple[Any, Any]]:
+def _pairs(field: FunctionField) -> Iterator[tuple[RationalFunction, RationalFunction]]:
     """Yield random pairs of polynomials, not both 0, of increasing degree."""
     rng, t = Random(1), field.gen
 
-    def polynomial(size: int) -> Any:
+    def polynomial(size: int) -> RationalFunction:
         total = field.zero
         for _ in range(size):
             total = total * t + field.constant(field.base.random(rng))

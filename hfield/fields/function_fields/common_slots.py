@@ -13,12 +13,12 @@ import itertools
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield.core.product import Constants
 from hfield.errors import UndecidedError
 from hfield.fields.function_fields.places import FunctionPlace
-from hfield.fields.function_fields.residues import ResidueField, residues_at
+from hfield.fields.function_fields.residues import FunctionResidues, ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
 from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
@@ -33,7 +33,7 @@ SEARCHED = 600  # pairs of small polynomials over ℚ
 LEFT_TO_CHANCE = 4
 """At how many places the class is not prescribed; each costs a factor 2 of trials and saves its degree."""
 
-Fits = Callable[[FunctionPlace, Any], bool]
+Fits: TypeAlias = "Callable[[FunctionPlace, RationalFunction], bool]"
 SameClass = Callable[[NormalForm, NormalForm], bool]
 
 
@@ -114,7 +114,7 @@ def _unit(kappa: ResidueField, square: bool, rng: random.Random) -> Polynomial:
 
 def _classes_at_infinity(field: FunctionField, fits: Fits) -> set[tuple[int, bool]]:
     """Return which degrees modulo 2 go with leading coefficients that are squares, or are not."""
-    kappa = ResidueField(field, field.gen.num)
+    kappa = FunctionResidues(field, field.gen.num)
     good = set()
     for parity in (0, 1):
         for square in (True, False):
@@ -186,8 +186,11 @@ def _fits_at_new_primes(field: FunctionField, numbers: list[Polynomial], u: Poly
 
 
 def searched_slot(
-    ring: FunctionField, outer: Constants, inner: Constants, same_class: SameClass
-) -> Any:
+    ring: FunctionField,
+    outer: Constants[RationalFunction],
+    inner: Constants[RationalFunction],
+    same_class: SameClass,
+) -> RationalFunction:
     """Return a common slot of two isomorphic algebras: tried until (a, e) = (a, b) holds, too."""
     for m, n in itertools.islice(_small_pairs(ring), SEARCHED):
         for first, second in ((inner, outer), (outer, inner)):
@@ -204,7 +207,7 @@ def searched_slot(
 
 def _small_pairs(ring: FunctionField) -> Iterator[tuple[RationalFunction, RationalFunction]]:
     """Yield pairs of small polynomials over ℚ, not both 0."""
-    seen: list[Any] = []
+    seen: list[RationalFunction] = []
     for x in _small(ring):
         seen.append(x)
         for y in seen[:-1]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants
 from hfield.errors import UndecidedError
@@ -39,11 +39,11 @@ if TYPE_CHECKING:
 
 
 class RamifiedError(ArithmeticError):
-    """Raised inside this module when a place turns out to be ramified."""
+    """Raised inside this module when places turn out to be ramified."""
 
-    def __init__(self, place: Any) -> None:
-        super().__init__(str(place))
-        self.place = place
+    def __init__(self, *places: object) -> None:
+        super().__init__(", ".join(map(str, places)))
+        self.places = places
 
 
 def solve_conic_functions(
@@ -51,8 +51,8 @@ def solve_conic_functions(
 ) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
     """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
 
-    Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
-    tuple of places of ℚ where a constant conic has no point.
+    Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) they may be the places of ℚ
+    where a constant conic has no point.
     """
     form = norm_form(field, c)
     conic = Conic(form, field.zero, field.one)
@@ -188,7 +188,7 @@ def _rational_zero(form: Form) -> list[Fraction]:
     (p, q, n), rows = diagonalise(gram)
     places = ramified_places_q(-p / n, -q / n)
     if places:
-        raise RamifiedError(places)
+        raise RamifiedError(*places)
     zero = solve_conic(-p / n, -q / n)
     return [
         sum((x * row[i] for x, row in zip(zero, rows, strict=True)), Fraction(0)) for i in range(3)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield import syntax
 from hfield.errors import (
@@ -20,7 +20,7 @@ from hfield.fields.base.printing import blackboard, from_unicode, sum_text
 from hfield.fields.base.ring import Fact, Ring, shared
 from hfield.fields.base.roots import horner, multiplied, stripped
 from hfield.fields.base.to_sympy import polynomial_in, symbol
-from hfield.fields.function_fields.quotients import RationalFunction
+from hfield.fields.function_fields.quotients import Embedding, FractionField, RationalFunction, S
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.polynomial_rings import build as build_polynomials
 from hfield.fields.several_variables.ring import RationalFunctions
@@ -28,8 +28,10 @@ from hfield.fields.several_variables.ring import RationalFunctions
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.function_fields.quotients import RationalFunction
+    from hfield.fields.base.flint_types import AnyPolynomial, Coefficient, SparsePolynomial
 
+ElementBelow: TypeAlias = "RationalFunction | SparsePolynomial | Coefficient"
+"""An element of the field below: a rational function; in subclasses a polynomial or a number, too."""
 
 MAX_DEGREE = 20
 
@@ -40,9 +42,9 @@ class ExtensionElement(Element):
     __slots__ = ("coefficients",)
 
     field: SimpleExtension
-    coefficients: tuple[Any, ...]
+    coefficients: tuple[ElementBelow, ...]
 
-    def __init__(self, field: SimpleExtension, coefficients: Sequence[RationalFunction]) -> None:
+    def __init__(self, field: SimpleExtension, coefficients: Sequence[ElementBelow]) -> None:
         object.__setattr__(self, "field", field)
         object.__setattr__(self, "coefficients", tuple(coefficients))
 
@@ -74,7 +76,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
     """
 
     def __init__(
-        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[RationalFunction]
+        self, name: str, words: str, base: Ring, gen_name: str, modulus: Sequence[ElementBelow]
     ) -> None:
         self.name, self._words, self.base, self.gen_name = name, words, base, gen_name
         self.characteristic = base.characteristic
@@ -100,7 +102,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return [c for c in x.coefficients if c.num != 0]
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by the one below, the polynomial, low degree first, and the name of the root."""
         modulus = [self.base.text(c) for c in self.modulus_coefficients]
         own = {"modulus": modulus, "variable": self.gen_name}
@@ -120,10 +122,10 @@ class SimpleExtension(Overfield[ExtensionElement]):
         below = {name: self._constant(x) for name, x in self.base.names().items()}
         return {**below, str(self.gen_name): self.gen}
 
-    def _constant(self, c: RationalFunction) -> ExtensionElement:
+    def _constant(self, c: ElementBelow) -> ExtensionElement:
         return self.reduced([c])
 
-    def reduced(self, coefficients: Sequence[RationalFunction]) -> ExtensionElement:
+    def reduced(self, coefficients: Sequence[ElementBelow]) -> ExtensionElement:
         """Return the class of a polynomial in u, low degree first."""
         out, n = list(coefficients), self.degree
         while len(out) > n:
@@ -156,13 +158,14 @@ class SimpleExtension(Overfield[ExtensionElement]):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         f, _ = self._over_common_denominator(self.modulus_coefficients)
         g, den = self._over_common_denominator(x.coefficients)
-        base: Any = self.base  # a field of quotients of polynomials
+        base = self.base
+        assert isinstance(base, FractionField), "other rings have an inverse of their own"
         v, c = _inverse_modulo(f, g, base.one.num)
         return self.reduced([base.quotient(den * a, c) for a in v])
 
     def _over_common_denominator(
         self, fractions: Sequence[RationalFunction]
-    ) -> tuple[list[Any], Any]:
+    ) -> tuple[list[AnyPolynomial], AnyPolynomial]:
         """Return the numerators of fractions over a common denominator, without zeros at the end, and it."""
         den = self.base.one.num
         for c in fractions:
@@ -213,10 +216,10 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[ExtensionElement], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[ExtensionElement], S]:
         """Return the homomorphism that maps the variables, and u, to these images."""
         coefficient = self.base.evaluation(target, images, below)
         root = images.get(str(self.gen_name))
@@ -275,7 +278,9 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return sum_text(reversed(list(terms)), style)
 
 
-def _inverse_modulo(f: list[Any], g: list[Any], one: Any) -> tuple[list[Any], Any]:
+def _inverse_modulo(
+    f: list[AnyPolynomial], g: list[AnyPolynomial], one: AnyPolynomial
+) -> tuple[list[AnyPolynomial], AnyPolynomial]:
     """Return v and a constant c ≠ 0 with v·g = c modulo f, of polynomials f and g without common factors.
 
     All coefficients are polynomials over a field, low degree in u first, and stay so: by subresultants all
@@ -298,7 +303,13 @@ def _inverse_modulo(f: list[Any], g: list[Any], one: Any) -> tuple[list[Any], An
     return v, g[0]
 
 
-def _pseudo_reduced(f: list[Any], g: list[Any], a: Any, b: Any, shift: int) -> list[Any]:
+def _pseudo_reduced(
+    f: list[AnyPolynomial],
+    g: list[AnyPolynomial],
+    a: AnyPolynomial,
+    b: AnyPolynomial,
+    shift: int,
+) -> list[AnyPolynomial]:
     """Return a·f − b·uⁿ·g, n being the shift, in as many coefficients as f has."""
     out = [a * c for c in f]
     for n, c in enumerate(g[: len(f) - shift], shift):
@@ -306,7 +317,7 @@ def _pseudo_reduced(f: list[Any], g: list[Any], a: Any, b: Any, shift: int) -> l
     return out
 
 
-def _without_zeros(f: list[Any]) -> list[Any]:
+def _without_zeros(f: list[AnyPolynomial]) -> list[AnyPolynomial]:
     """Return the coefficients up to the last that is not 0."""
     size = next((n for n in range(len(f), 0, -1) if f[n - 1] != 0), 0)
     return f[:size]
@@ -356,7 +367,9 @@ def read_polynomial(base: Ring, variable: str, text: str, what: str) -> list[Rat
         raise RingError(f"{what} cannot be read: {error}") from error
 
 
-def _check_irreducible(base: Any, variable: str, f: list[RationalFunction], what: str) -> None:
+def _check_irreducible(
+    base: FractionField, variable: str, f: list[RationalFunction], what: str
+) -> None:
     """Raise :class:`RingError` unless f is irreducible over the field of rational functions."""
     if base.characteristic == 0 or (
         isinstance(base.base, Ring) and base.base.order == base.characteristic
@@ -375,7 +388,9 @@ def _check_irreducible(base: Any, variable: str, f: list[RationalFunction], what
     )
 
 
-def _factors(base: Any, variable: str, f: list[RationalFunction]) -> list[tuple[Any, int]]:
+def _factors(
+    base: FractionField, variable: str, f: list[RationalFunction]
+) -> list[tuple[SparsePolynomial, int]]:
     """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
     several = isinstance(base, RationalFunctions)
     names = base.variables if several else (base.gen_name,)

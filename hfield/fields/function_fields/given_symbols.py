@@ -12,10 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import count, islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants
 from hfield.errors import RingError, UndecidedError, shorten
+from hfield.fields.finite.ring import FiniteField
 from hfield.fields.function_fields.places import place_of_functions
 from hfield.fields.function_fields.residues import residues_at
 from hfield.fields.function_fields.symbols import ramified_places_functions
@@ -78,7 +79,8 @@ def _nonsquare(field: FunctionField) -> RationalFunction:
 
 def _candidates(field: FunctionField) -> Iterator[RationalFunction]:
     """Yield some constants, of which one is right if a constant is, and all polynomials by degree."""
-    k: Any = field.base
+    k = field.base
+    assert isinstance(k, FiniteField)
     if field.characteristic == 2:  # one element of a basis over GF(2) has trace 1
         yield from (field.constant(k.from_label(2**n)) for n in range(k.degree))
     else:

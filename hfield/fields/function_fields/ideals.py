@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
 from hfield.fields.base.ring import shared
 from hfield.fields.finite.ring import ExtensionField, FiniteField
 from hfield.fields.function_fields.places import FunctionPlace
-from hfield.fields.function_fields.residues import ResidueField, valuation
+from hfield.fields.function_fields.quotients import RationalFunction
+from hfield.fields.function_fields.residues import FunctionResidues, valuation
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from fractions import Fraction
 
     from flint import fq_default_poly
 
-    from hfield.fields.function_fields.quotients import RationalFunction
+    from hfield.fields.base.flint_types import Coefficient, Polynomial
     from hfield.fields.function_fields.ring import FunctionField
 
 
@@ -35,24 +37,22 @@ class PolynomialIntegers:
             below = shared(ExtensionField, k.characteristic, 1)
             self.field = type(ring)(below, str(ring.gen_name))
 
-    def inside(self, x: Any) -> RationalFunction:
+    def inside(self, x: object) -> RationalFunction:
         """Return an element of ``ring``, or what it reads, as one of ``field``."""
-        if getattr(x, "field", None) is self.field:
-            return x  # type: ignore[no-any-return]
+        if isinstance(x, RationalFunction) and x.field is self.field:
+            return x
         found = self.ring(x)
-        return found if self.field is self.ring else self._converted(found, self.field)
+        return found if self.field is self.ring else self._converted(found, self.ring, self.field)
 
     def outside(self, x: RationalFunction) -> RationalFunction:
         """Return an element of ``field`` as one of ``ring``."""
-        return x if self.field is self.ring else self._converted(x, self.ring)
+        return x if self.field is self.ring else self._converted(x, self.field, self.ring)
 
-    def _converted(self, x: RationalFunction, target: FunctionField) -> RationalFunction:
-        source: Any = x.field
-        k = target.base
-        parts = (
-            [k(source.base.label(source.base_element(c))) for c in p.coeffs()]
-            for p in (x.num, x.den)
-        )
+    def _converted(
+        self, x: RationalFunction, source: FunctionField, target: FunctionField
+    ) -> RationalFunction:
+        label, k = labels(source), target.base
+        parts = ([k(label(source.base_element(c))) for c in p.coeffs()] for p in (x.num, x.den))
         num, den = (sum_of_powers(target, found) for found in parts)
         return target.quotient(num, den)
 
@@ -94,12 +94,19 @@ class PolynomialIntegers:
         return f"{self.ring.base.name}[{self.ring.gen_name}]"
 
 
-def sum_of_powers(field: FunctionField, coefficients: list[Any]) -> Any:
+def sum_of_powers(field: FunctionField, coefficients: list[Coefficient]) -> Polynomial:
     """Return the polynomial with coefficients in the field of constants, low degree first."""
     found, t = field.zero.num, field.gen.num
     for c in reversed(coefficients):
         found = found * t + field.constant(c).num
     return found
+
+
+def labels(field: FunctionField) -> Callable[[Coefficient], int]:
+    """Return the map of the constants, which are a finite field, to their labels."""
+    k = field.base
+    assert isinstance(k, FiniteField)
+    return k.label
 
 
 @lru_cache(maxsize=64)
@@ -240,9 +247,9 @@ class FunctionFieldIdeal:
         return tuple(sorted(found, key=lambda pair: pair[0].sort_key))
 
     @property
-    def sort_key(self) -> tuple[Any, ...]:
+    def sort_key(self) -> tuple[object, ...]:
         """The sort key of ideals."""
-        label: Any = self.integers.field.base.label  # type: ignore[attr-defined]
+        label = labels(self.integers.field)
         parts = ([label(c) for c in reversed(p.coeffs())] for p in (self.x.num, self.x.den))
         return self.degree, *parts
 
@@ -261,7 +268,7 @@ def _restored(ring: FunctionField, x: RationalFunction) -> FunctionFieldIdeal:
     return polynomial_integers(ring).ideal(x)
 
 
-class PolynomialResidueField(ResidueField):
+class PolynomialResidueField(FunctionResidues):
     """The residue field of a prime ideal; it is the prime field of the theory of orders over GF(q)[t]."""
 
     index = 1

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.base.printing import blackboard, sum_text
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.roots import horner, monic_root
-from hfield.fields.function_fields.extensions import ExtensionElement, SimpleExtension
+from hfield.fields.function_fields.extensions import ElementBelow, ExtensionElement, SimpleExtension
+from hfield.fields.function_fields.quotients import Embedding, S
 from hfield.fields.function_fields.ring import FunctionField
 
 if TYPE_CHECKING:
     import sympy
+
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ring import NumberField
 
 Factors = list[tuple[str, int]]
 
@@ -30,7 +34,7 @@ class OverNumberField(SimpleExtension):
     (1/(x^2-2)*sqrt(2)+x/(x^2-2), 2*x*sqrt(2)+x^2+2)
     """
 
-    def __init__(self, base: Ring, field: Any) -> None:
+    def __init__(self, base: Ring, field: NumberField) -> None:
         modulus = [base(c) for c in field.modulus_over_rationals()]
         name = f"{field.name}{base.name.removeprefix('QQ')}"
         words = base.in_words().replace(blackboard("QQ"), blackboard(field.name))
@@ -42,7 +46,7 @@ class OverNumberField(SimpleExtension):
         return shared, (type(self), self.base, self._field)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The data of the ring over ℚ, with the number field in the place of ℚ."""
         assert self.base.data is not None
         return {**self.base.data, "base": self._field.data}
@@ -50,8 +54,7 @@ class OverNumberField(SimpleExtension):
     @property
     def constants(self) -> Ring:
         """The number field."""
-        found: Ring = self._field
-        return found
+        return self._field
 
     @property
     def values_ring(self) -> Ring:
@@ -69,12 +72,12 @@ class OverNumberField(SimpleExtension):
         below = None if self.is_field else self.base.fractions
         return None if below is None else shared(OverNumberField, below, self._field)
 
-    def as_constant(self, x: ExtensionElement) -> Any:
+    def as_constant(self, x: ExtensionElement) -> FieldElement | None:
         """Return the element of the number field that x is, or None."""
         found = [self.base.as_constant(c) for c in x.coefficients]
         return None if None in found else self._field.of_coefficients(found)
 
-    def constant(self, c: Any) -> ExtensionElement:
+    def constant(self, c: FieldElement) -> ExtensionElement:
         """Return an element of the number field as a constant."""
         return ExtensionElement(self, [self.base(x) for x in self._field.coefficients_of(c)])
 
@@ -100,7 +103,9 @@ class OverNumberField(SimpleExtension):
         own = {name: self._of_constants(name, f) for name, f in self._field.functions().items()}
         return super().functions() | own
 
-    def _of_constants(self, name: str, f: Callable[..., Any]) -> Callable[..., ExtensionElement]:
+    def _of_constants(
+        self, name: str, f: Callable[..., FieldElement]
+    ) -> Callable[..., ExtensionElement]:
         def value(*arguments: ExtensionElement) -> ExtensionElement:
             constants = [self.as_constant(self(x)) for x in arguments]
             if None in constants:
@@ -156,9 +161,10 @@ class OverNumberField(SimpleExtension):
         number = self._field.sqrt(lead)
         return None if number is None or root is None else self.constant(number) * root
 
-    def leading_and_root(self, x: ExtensionElement) -> tuple[Any, ExtensionElement | None]:
+    def leading_and_root(self, x: ExtensionElement) -> tuple[FieldElement, ExtensionElement | None]:
         """Return c in K and y with x = c·y² for functions in one variable; None for y where there is none."""
-        base: Any = self.base
+        base = self.base
+        assert isinstance(base, FunctionField), "the functions have one variable"
         below = base.one.num
         for part in x.coefficients:
             below = below * (part.den // below.gcd(part.den))
@@ -187,22 +193,21 @@ class OverNumberField(SimpleExtension):
         """The variables; θ is a number."""
         return self.base.variable_names
 
-    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+    def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
         """Return what the variables become."""
         return self.base.images_of(values, target)
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[ExtensionElement], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[ExtensionElement], S]:
         """Return the homomorphism that maps the variables to these images, and constants as ``below``."""
         coefficient = self.base.evaluation(target, images, below)
-        if isinstance(target, OverNumberField) and target.constants == self._field:
-            root = target.constant(self._field.gen)
-        else:
-            root = below(self._field, target)(self._field.gen)
+        theta = self._field.gen
+        same = isinstance(target, OverNumberField) and target.constants == self._field
+        root = target(theta) if same else below(self._field, target)(theta)
 
         return lambda x: horner([*map(coefficient, x.coefficients)], root, target.zero)
 
@@ -216,10 +221,10 @@ class OverNumberField(SimpleExtension):
         """Return the variables in the coefficients."""
         return set().union(*map(self.base.variables_in, x.coefficients))
 
-    def _in_monomials(self, x: ExtensionElement) -> list[tuple[Any, Sequence[int]]]:
+    def _in_monomials(self, x: ExtensionElement) -> list[tuple[ElementBelow, Sequence[int]]]:
         """Return the coefficients of products of powers of the numbers that name K, and the exponents."""
         rows, exponents = self._field.monomials()
-        found = []
+        found: list[tuple[ElementBelow, Sequence[int]]] = []
         for column, powers in enumerate(exponents):
             total = self.base.zero
             for c, row in zip(x.coefficients, rows, strict=True):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -12,7 +12,7 @@ from hfield.errors import HFieldError, RingError, UndecidedError, shorten
 from hfield.fields.rationals.places import INFINITE_NAMES
 
 if TYPE_CHECKING:
-    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.base.flint_types import Coefficient, Polynomial
     from hfield.fields.function_fields.ring import FunctionField
 
 
@@ -24,7 +24,7 @@ class FunctionPlace:
     """
 
     field: FunctionField
-    poly: Any = None
+    poly: Polynomial | None = None
 
     def __str__(self) -> str:
         if self.poly is None:
@@ -38,7 +38,7 @@ class FunctionPlace:
         return hash((self.field.name, str(self)))
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The place as JSON data; coefficients low degree first, integers or lists of them."""
         if self.poly is None:
             return {"kind": "infinity"}
@@ -57,7 +57,7 @@ class FunctionPlace:
         return 1 if self.poly is None else int(self.poly.degree())
 
 
-def _json(c: Any) -> object:
+def _json(c: Coefficient) -> object:
     """Return a coefficient as JSON data: an integer, a list of integers over GF(pⁿ), else a text."""
     if isinstance(c, flint.fq_default):
         digits = c.to_list()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError, shorten
@@ -15,8 +15,13 @@ from hfield.fields.base.ring import INFINITY, Fact
 from hfield.fields.base.roots import monic
 
 if TYPE_CHECKING:
-    from hfield.fields.base.flint_types import AnyPolynomial
-    from hfield.fields.base.ring import Ring
+    from hfield.core.product import Scalar
+    from hfield.fields.base.flint_types import AnyPolynomial, Coefficient
+    from hfield.fields.base.ring import E, Ring
+
+S = TypeVar("S", bound="Scalar")  # an element of another ring
+Embedding: TypeAlias = "Callable[[Ring, Ring[S]], Callable[[Scalar], S]]"
+"""The map of a first ring into a second one."""
 
 
 class RationalFunction(Element):
@@ -25,8 +30,8 @@ class RationalFunction(Element):
     __slots__ = ("den", "num")
 
     field: FractionField
-    num: Any
-    den: Any
+    num: AnyPolynomial
+    den: AnyPolynomial
 
     def __init__(self, field: FractionField, num: AnyPolynomial, den: AnyPolynomial) -> None:
         object.__setattr__(self, "field", field)
@@ -60,7 +65,9 @@ class RationalFunction(Element):
         second, den = self._cancelled(other.num, self.den)
         return RationalFunction(self.field, first * second, below * den)
 
-    def _cancelled(self, num: Any, den: Any) -> tuple[Any, Any]:
+    def _cancelled(
+        self, num: AnyPolynomial, den: AnyPolynomial
+    ) -> tuple[AnyPolynomial, AnyPolynomial]:
         """Return num and den, which is monic, without what they have in common."""
         if self.field.is_one(den):
             return num, den
@@ -85,10 +92,10 @@ class RationalFunction(Element):
         return bool(self.num == other.num and self.den == other.den)
 
 
-def _terms(x: Any) -> dict[tuple[int, ...], Any]:
+def _terms(x: AnyPolynomial) -> dict[tuple[int, ...], Coefficient]:
     """Return the coefficients of a polynomial of flint, in one variable or several, by exponents."""
     if hasattr(x, "to_dict"):
-        found: dict[tuple[int, ...], Any] = x.to_dict()
+        found: dict[tuple[int, ...], Coefficient] = x.to_dict()
         return found
     return {(n,): c for n, c in enumerate(x.coeffs()) if c != 0}
 
@@ -176,22 +183,22 @@ class FractionField(Overfield[RationalFunction]):
     @abstractmethod
     def polynomial_evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[Any], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[AnyPolynomial], S]:
         """Return :meth:`evaluation` for numerators and denominators."""
 
     def evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[RationalFunction], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[RationalFunction], S]:
         """Return the homomorphism that maps the variables to these images, where there is no pole."""
         polynomial = self.polynomial_evaluation(target, images, below)
 
-        def value(x: RationalFunction) -> Any:
+        def value(x: RationalFunction) -> S:
             if self.is_one(x.den):
                 return polynomial(x.num)
             return value_of_fraction(self, x, target, polynomial(x.num), polynomial(x.den))
@@ -199,7 +206,7 @@ class FractionField(Overfield[RationalFunction]):
         return value
 
     @abstractmethod
-    def partial(self, poly: Any, variable: str) -> Any:
+    def partial(self, poly: AnyPolynomial, variable: str) -> AnyPolynomial:
         """Return the derivative of a numerator or denominator by a variable."""
 
     def derivative(self, x: RationalFunction, variable: str) -> RationalFunction:
@@ -225,7 +232,7 @@ class FractionField(Overfield[RationalFunction]):
         return tuple(self(c) for c in self.base.minus_one_as_squares())
 
 
-def value_of_fraction(field: Ring, x: Any, target: Ring, num: Any, den: Any) -> Any:
+def value_of_fraction(field: Ring[E], x: E, target: Ring[S], num: S, den: S) -> S:
     """Return the value num/den of a function x of the field.
 
     Raises :class:`NotInvertibleError` where x has a pole.

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.fields.base.ring import Ring
@@ -62,29 +62,6 @@ class ResidueField:
         """Whether the characteristic is 2."""
         return self.base.characteristic == 2
 
-    @property
-    def uniformiser(self) -> Any:
-        """π as an element of k(t)."""
-        return self.lift(self.modulus)
-
-    @property
-    def inverse_uniformiser(self) -> Any:
-        """1/π."""
-        return self.field.quotient(self.field.one.num, self.modulus)
-
-    def lift(self, x: Polynomial) -> Any:
-        """Return a polynomial as an element of k(t)."""
-        return self.field.quotient(x, self.field.one.num)
-
-    def valuation(self, x: Any) -> int:
-        """Return the order of a nonzero rational function at π."""
-        return valuation(x, self.modulus)
-
-    def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
-        """Return the order of x ≠ 0, and the class of x over that power of the uniformiser."""
-        n = self.valuation(x)
-        return n, self.reduce(x * self.uniformiser**-n if n else x)
-
     def over_prime_field(self) -> list[Polynomial]:
         """Return a basis over the prime field, where k is finite."""
         k, t = self.base, self.field.gen.num
@@ -98,10 +75,6 @@ class ResidueField:
     def scalar(self, x: Scalar) -> Polynomial:
         """Return an element of k as a polynomial."""
         return self.field.constant(x).num
-
-    def reduce(self, x: Any) -> Polynomial:
-        """Return the class of a rational function without pole at π."""
-        return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
 
     def multiply(self, x: Polynomial, y: Polynomial) -> Polynomial:
         """Return x·y."""
@@ -212,15 +185,6 @@ class ResidueField:
         )
         return None if z is None else (b * z % self.modulus, a)
 
-    def truncated(self, x: Any, n: int) -> Any:
-        """Return the polynomial over a power of π, of the least degree, that is congruent to x modulo πⁿ."""
-        k = -min(self.valuation(x), 0) if x.num != 0 else 0
-        if n + k <= 0:
-            return self.field.zero
-        power, scale = self.modulus ** (n + k), self.modulus**k
-        below = x.den // scale
-        return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
-
     def random(self, rng: Random) -> Polynomial:
         """Return a random element."""
         t = self.field.gen.num
@@ -230,19 +194,59 @@ class ResidueField:
         return x
 
 
-class AtInfinity(ResidueField):
+class FunctionResidues(ResidueField):
+    """A place of k(t), a monic irreducible π, with its residue field k[t]/π."""
+
+    @property
+    def uniformiser(self) -> RationalFunction:
+        """π as an element of k(t)."""
+        return self.lift(self.modulus)
+
+    @property
+    def inverse_uniformiser(self) -> RationalFunction:
+        """1/π."""
+        return self.field.quotient(self.field.one.num, self.modulus)
+
+    def lift(self, x: Polynomial) -> RationalFunction:
+        """Return a polynomial as an element of k(t)."""
+        return self.field.quotient(x, self.field.one.num)
+
+    def valuation(self, x: RationalFunction) -> int:
+        """Return the order of a nonzero rational function at π."""
+        return valuation(x, self.modulus)
+
+    def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
+        """Return the order of x ≠ 0, and the class of x over that power of the uniformiser."""
+        n = self.valuation(x)
+        return n, self.reduce(x * self.uniformiser**-n if n else x)
+
+    def reduce(self, x: RationalFunction) -> Polynomial:
+        """Return the class of a rational function without pole at π."""
+        return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
+
+    def truncated(self, x: RationalFunction, n: int) -> RationalFunction:
+        """Return the polynomial over a power of π, of the least degree, that is congruent to x modulo πⁿ."""
+        k = -min(self.valuation(x), 0) if x.num != 0 else 0
+        if n + k <= 0:
+            return self.field.zero
+        power, scale = self.modulus ** (n + k), self.modulus**k
+        below = x.den // scale
+        return self.field.quotient(x.num * (below.xgcd(power)[1] % power) % power, scale)
+
+
+class AtInfinity(FunctionResidues):
     """The place of k(t) at infinity, with residue field k and uniformiser 1/t."""
 
     def __init__(self, field: FunctionField) -> None:
         super().__init__(field, field.gen.num)
 
     @property
-    def uniformiser(self) -> Any:
+    def uniformiser(self) -> RationalFunction:
         """1/t."""
         return super().inverse_uniformiser
 
     @property
-    def inverse_uniformiser(self) -> Any:
+    def inverse_uniformiser(self) -> RationalFunction:
         """The variable t."""
         return super().uniformiser
 
@@ -266,11 +270,11 @@ class AtInfinity(ResidueField):
         return self.field.quotient(x.num * up // (x.den * down) * down, up)
 
 
-def residues_at(place: FunctionPlace) -> ResidueField:
+def residues_at(place: FunctionPlace) -> FunctionResidues:
     """Return a place of k(t) with its residue field."""
     if place.poly is None:
         return AtInfinity(place.field)
-    return ResidueField(place.field, place.poly)
+    return FunctionResidues(place.field, place.poly)
 
 
 def _root_over_q(kappa: ResidueField, x: flint.fmpq_poly) -> flint.fmpq_poly | None:

@@ -11,7 +11,7 @@ import gc
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from itertools import count
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -24,7 +24,13 @@ from hfield.fields.base.roots import common_divisor, horner, monic, multiplied, 
 from hfield.fields.base.storage.base import Storage
 from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.finite.ring import ExtensionField, PrimeField
-from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
+from hfield.fields.function_fields.quotients import (
+    Embedding,
+    FractionField,
+    RationalFunction,
+    S,
+    functions_name,
+)
 from hfield.fields.function_fields.storage import FunctionStorage
 from hfield.fields.rationals.ring import QQ
 
@@ -40,7 +46,7 @@ __all__ = ["FunctionField", "RationalFunction"]
 # python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
 # that holds both, the context may go first, and the process dies. So contexts live for ever, and
 # nothing is collected any more at exit.
-_CONTEXTS: dict[Ring, Any] = {}
+_CONTEXTS: dict[Ring, flint.fq_default_poly_ctx] = {}
 atexit.register(gc.freeze)
 
 
@@ -74,7 +80,7 @@ class FunctionField(FractionField):
         return shared, (type(self), self.base, self.gen_name)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The constants and the variable of the field, as JSON data."""
         return {"kind": "rational functions", "base": self.base.data, "variables": [self.gen_name]}
 
@@ -115,7 +121,7 @@ class FunctionField(FractionField):
             return None
         return self.base.zero if x.num == 0 else self.base_element(x.num.leading_coefficient())
 
-    def images_in(self, target: Ring) -> dict[str, Any]:
+    def images_in(self, target: Ring[S]) -> dict[str, S]:
         """Return {}: the variable keeps its name. Raises :class:`CoercionError` if the other ring has no
         such name.
         """
@@ -259,16 +265,17 @@ class FunctionField(FractionField):
 
     def polynomial_evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[Polynomial], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[Polynomial], S]:
         """Return the map of polynomials, by Horner's rule."""
         constant, point = below(self.base, target), images[self.gen_name or ""]
 
-        def value(poly: Polynomial) -> Any:
+        def value(poly: Polynomial) -> S:
             coefficients = [constant(self.base_element(c)) for c in poly.coeffs()]
-            return horner(coefficients, point, target.zero)
+            found: S = horner(coefficients, point, target.zero)
+            return found
 
         return value
 

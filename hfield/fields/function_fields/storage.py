@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
 from hfield.fields.base.storage.common_denominator import CommonDenominatorStorage, FractionTuple
 
 if TYPE_CHECKING:
+    from collections.abc import Hashable
+
     from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.function_fields.quotients import RationalFunction
     from hfield.fields.function_fields.ring import FunctionField
 
 
@@ -46,7 +49,7 @@ class FunctionStorage(CommonDenominatorStorage):
         w, x, y, z = (c.num * (d // e) for c, e in zip(coordinates, denominators, strict=True))
         return self._lowest(w, x, y, z, d)
 
-    def fraction(self, s: Any) -> FractionTuple:
+    def fraction(self, s: RationalFunction) -> FractionTuple:
         """Return numerator and denominator of a rational function."""
         return s.num, s.den
 
@@ -80,7 +83,7 @@ class FunctionStorage(CommonDenominatorStorage):
         common = common * lead if common.degree() else one * lead
         return fraction if common == one else tuple(f // common for f in fraction)
 
-    def key(self, p: FractionTuple) -> tuple[tuple[Any, ...], ...]:
+    def key(self, p: FractionTuple) -> tuple[tuple[Hashable, ...], ...]:
         """Return the coefficients."""
         F = self._field
         return tuple(tuple(F.base.key(F.base_element(c)) for c in f.coeffs()) for f in p)

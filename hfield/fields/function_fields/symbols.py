@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
-from hfield.fields.function_fields.residues import ResidueField, residues_at, valuation
+from hfield.fields.function_fields.residues import FunctionResidues, residues_at, valuation
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -45,7 +45,7 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
 
 def tame_residue(
     a: RationalFunction, b: RationalFunction, place: FunctionPlace
-) -> tuple[ResidueField, Polynomial]:
+) -> tuple[FunctionResidues, Polynomial]:
     """Return the residue field and the tame residue of (a, b) at a place."""
     kappa = residues_at(place)
     (v, x), (w, y) = kappa.leading(a), kappa.leading(b)

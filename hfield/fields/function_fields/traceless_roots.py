@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants
 from hfield.errors import UndecidedError, shorten
@@ -30,6 +30,8 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import is_isotropic
 
 if TYPE_CHECKING:
+    import flint
+
     from hfield.fields.function_fields.quotients import RationalFunction
 
 
@@ -115,7 +117,7 @@ def _points(field: FunctionField, count: int) -> Iterator[FunctionPlace]:
 def _isotropic_at(coefficients: list[RationalFunction], point: FunctionPlace) -> bool:
     """Return whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
     at = residues_at(point)
-    parts: tuple[list[Any], list[Any]] = [], []
+    parts: tuple[list[flint.fmpq], list[flint.fmpq]] = [], []
     for x in coefficients:
         order, lead = at.leading(x)
         parts[order % 2].append(lead[0])

@@ -209,7 +209,7 @@ class GlobalField(ABC, Generic[E, P]):
 
     def residue_forms(
         self, form: Sequence[E]
-    ) -> Iterator[tuple[object, Ring, list[Scalar], list[Scalar]]]:
+    ) -> Iterator[tuple[object, Ring, Sequence[Scalar], Sequence[Scalar]]]:
         """Yield places with known residue fields, and the residues of a form's coefficients there.
 
         Those of even order, then those of odd order, which are divided by a uniformiser. None by default.

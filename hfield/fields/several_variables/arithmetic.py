@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Scalar
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.function_fields.artin_schreier import artin_schreier
+from hfield.fields.function_fields.quotients import RationalFunction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.quadratic_forms.global_field import GlobalField
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, none
@@ -27,13 +28,11 @@ from hfield.fields.several_variables.ring import RationalFunctions
 if TYPE_CHECKING:
     import flint
 
-    from hfield.fields.function_fields.quotients import RationalFunction
-
 
 POINTS = 12  # as many values of each variable are tried for a point where nothing vanishes
 
 
-class SeveralArithmetic(GlobalField):
+class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
     """The arithmetic of k(x, y, …): residues at prime polynomials (Gille and Szamuely, chapter 6).
 
     An algebra with a nonsquare residue is a division algebra. One without any comes from k, where the
@@ -126,7 +125,7 @@ class SeveralArithmetic(GlobalField):
             raise UndecidedError(f"y² + y = {r.field.text(r.value)} is not decided over {r.field}")
         return artin_schreier(r.field, r.value) is not None
 
-    def why_ramified(self, form: NormalForm, places: tuple[Any, ...]) -> str:
+    def why_ramified(self, form: NormalForm, places: tuple[PolynomialPlace, ...]) -> str:
         """Return the residue at the first ramified place, in words."""
         place = places[0]
         at = f"the residue at {place}"
@@ -144,13 +143,13 @@ class SeveralArithmetic(GlobalField):
             )
         return f"{why}; the algebra is ramified at {', '.join(map(str, places))}"
 
-    def discriminant(self, ramified: tuple[Any, ...]) -> RationalFunction:
+    def discriminant(self, ramified: tuple[PolynomialPlace, ...]) -> RationalFunction:
         """Return the product of the polynomials."""
         return self.ring.product_of(v.poly for v in ramified)
 
     def residue_forms(
         self, form: Sequence[RationalFunction]
-    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+    ) -> Iterator[tuple[object, Ring, Sequence[Scalar], Sequence[Scalar]]]:
         """Yield the prime polynomials in the coefficients, and the infinite places."""
         F = self.ring
         for place in places_of(F, *form):

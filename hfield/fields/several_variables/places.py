@@ -8,7 +8,7 @@ variable the leading coefficients stand for the residue.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import UndecidedError
 from hfield.fields.base.ring import Ring
@@ -26,7 +26,7 @@ class PolynomialPlace:
     """A prime polynomial of k[x, y, …], as flint has it, or infinity of the variable with that index."""
 
     name: str
-    poly: Any = field(default=None, hash=False)
+    poly: SparsePolynomial | None = field(default=None, hash=False)
     infinite: int | None = None
 
     def __str__(self) -> str:
@@ -41,7 +41,7 @@ class ResidueFieldElement:
     """An element of the residue field at a place, or its norm down to the field given."""
 
     field: Ring
-    value: Any
+    value: RationalFunction
     is_norm: bool = False
 
     def is_square(self) -> bool:
@@ -73,7 +73,9 @@ def valuation(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace)
     return multiplicity(x.num, place.poly) - multiplicity(x.den, place.poly)
 
 
-def unit_part(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace) -> Any:
+def unit_part(
+    F: RationalFunctions, x: RationalFunction, place: PolynomialPlace
+) -> RationalFunction:
     """Return x times a power of the prime, or of 1/v, without zero or pole at the place."""
     n = valuation(F, x, place)
     if place.infinite is not None:
@@ -89,39 +91,45 @@ def residue(
         target = _without(F, place.infinite)
         over, under = (_leading(F, p, place.infinite, target) for p in (unit.num, unit.den))
         return ResidueFieldElement(target, target.divide(over, under))
+    poly = place.poly
+    assert poly is not None, "a place is infinite or has a polynomial"
     for n in range(len(F.variables)):
-        if int(place.poly.degrees()[n]) == 1:
+        if int(poly.degrees()[n]) == 1:
             target = _without(F, n)
-            slope, rest = (_coefficient(F, place.poly, n, e, target) for e in (1, 0))
+            slope, rest = (_coefficient(F, poly, n, e, target) for e in (1, 0))
             at = target.zero - target.divide(rest, slope)
             over, under = (_value(F, p, n, at, target) for p in (unit.num, unit.den))
             return ResidueFieldElement(target, target.divide(over, under))
-    return ResidueFieldElement(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, place)
+    return ResidueFieldElement(F, unit) if F.sqrt(unit) is not None else _norm(F, unit, poly)
 
 
 def _norm(
-    F: RationalFunctions, unit: RationalFunction, place: PolynomialPlace
+    F: RationalFunctions, unit: RationalFunction, poly: SparsePolynomial
 ) -> ResidueFieldElement:
     """Return the norm of a residue down to the other variables, up to squares, by resultants."""
-    degrees = {m: int(e) for m, e in enumerate(place.poly.degrees()) if int(e)}
+    degrees = {m: int(e) for m, e in enumerate(poly.degrees()) if int(e)}
     n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant tells
     target = _without(F, n)
-    lead = _leading(F, place.poly, n, target)
+    lead = _leading(F, poly, n, target)
     total = target.one
     for p in (unit.num, unit.den):
-        size = _coefficient(F, place.poly.resultant(p, F.variables[n]), n, 0, target)
+        size = _coefficient(F, poly.resultant(p, F.variables[n]), n, 0, target)
         total = total * size * (lead if int(p.degrees()[n]) % 2 else target.one)
     return ResidueFieldElement(target, total, is_norm=True)
 
 
-def _without(F: RationalFunctions, n: int) -> Ring:
+def _without(F: RationalFunctions, n: int) -> Ring[RationalFunction]:
     """Return the rational functions in the variables other than the n-th."""
     return rational_functions(F.base, F.variables[:n] + F.variables[n + 1 :])
 
 
 def _coefficient(
-    F: RationalFunctions, poly: SparsePolynomial, n: int, exponent: int, target: Ring
-) -> Any:
+    F: RationalFunctions,
+    poly: SparsePolynomial,
+    n: int,
+    exponent: int,
+    target: Ring[RationalFunction],
+) -> RationalFunction:
     """Return the coefficient of a power of the n-th variable."""
     gens = target.names()
     total = target.zero
@@ -135,13 +143,19 @@ def _coefficient(
     return total
 
 
-def _leading(F: RationalFunctions, poly: SparsePolynomial, n: int, target: Ring) -> Any:
+def _leading(
+    F: RationalFunctions, poly: SparsePolynomial, n: int, target: Ring[RationalFunction]
+) -> RationalFunction:
     return _coefficient(F, poly, n, int(poly.degrees()[n]), target)
 
 
 def _value(
-    F: RationalFunctions, poly: SparsePolynomial, n: int, at: RationalFunction, target: Ring
-) -> Any:
+    F: RationalFunctions,
+    poly: SparsePolynomial,
+    n: int,
+    at: RationalFunction,
+    target: Ring[RationalFunction],
+) -> RationalFunction:
     """Return the value with an element of the target for the n-th variable."""
     total = target.zero
     for e in range(int(poly.degrees()[n]), -1, -1):

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.fields.base.printing import blackboard, quotient_text
 from hfield.fields.base.ring import Fact, Ring, shared
-from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
+from hfield.fields.function_fields.quotients import (
+    Embedding,
+    FractionField,
+    RationalFunction,
+    S,
+    functions_name,
+)
 from hfield.fields.polynomial_rings import PolynomialRing
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.base.flint_types import SparsePolynomial
+    from hfield.fields.base.flint_types import Coefficient, SparsePolynomial
 
 
 class RationalFunctions(FractionField):
@@ -44,7 +50,7 @@ class RationalFunctions(FractionField):
         return shared, (type(self), self.polynomials)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, object]:
         """The field by its constants and its variables."""
         variables = list(self.variables)
         return {"kind": "rational functions", "base": self.base.data, "variables": variables}
@@ -67,7 +73,7 @@ class RationalFunctions(FractionField):
         """Return x as the only summand: leading terms are taken of x itself."""
         return [x]
 
-    def as_constant(self, x: RationalFunction) -> Any:
+    def as_constant(self, x: RationalFunction) -> Coefficient | None:
         """Return the element of k that x is, or None."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
@@ -120,10 +126,10 @@ class RationalFunctions(FractionField):
 
     def polynomial_evaluation(
         self,
-        target: Ring,
-        images: Mapping[str, Any],
-        below: Callable[[Ring, Ring], Callable[[Any], Any]],
-    ) -> Callable[[SparsePolynomial], Any]:
+        target: Ring[S],
+        images: Mapping[str, S],
+        below: Embedding[S],
+    ) -> Callable[[SparsePolynomial], S]:
         """Return the homomorphism on polynomials that substitutes values."""
         return self.polynomials.evaluation(target, images, below)
 
