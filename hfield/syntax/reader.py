@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic
 
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.parser import parse
@@ -28,10 +28,19 @@ from hfield.syntax.tree import (
 from hfield.syntax.typed import reported_as_typed
 
 if TYPE_CHECKING:
+    from typing import Any
+
+    from typing_extensions import TypeVar
+
     from hfield.core.product import SupportsArithmetic
 
-V = TypeVar("V", bound="SupportsArithmetic")
-T = TypeVar("T")
+    V = TypeVar("V", bound=SupportsArithmetic, default=Any)  # ``Reader`` alone: of any values
+    T = TypeVar("T", default=object)
+else:
+    from typing import TypeVar
+
+    V, T = TypeVar("V"), TypeVar("T")  # the values of terms, and of a function of trees
+
 U = TypeVar("U")
 
 

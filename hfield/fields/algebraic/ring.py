@@ -93,7 +93,7 @@ class AlgebraicNumbers(ValueRing):
         """Read a number; within RR the intermediate values may be complex."""
         names = {"I": _I, **self.names()}
         functions = {"/": self.divide, "**": self.power, **self.functions()}
-        reader: syntax.Reader[Any]  # the sum of two elements may be of another class
+        reader: syntax.Reader  # the sum of two elements may be of another class
         reader = syntax.Reader(CC, names, functions, self.name, self.parse_limit)
         return self(reader.read(from_unicode(text)))
 

@@ -6,10 +6,11 @@ For a nondegenerate algebra that action is an isomorphism onto M₂(F).
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import CoercionError, UndecidedError
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
 from hfield.fields.quadratic_forms.normal_forms import (
@@ -21,7 +22,7 @@ from hfield.fields.quadratic_forms.normal_forms import (
     root_if_known,
 )
 
-Matrix = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
+Matrix: TypeAlias = tuple[tuple[E, E], tuple[E, E]]
 
 
 @dataclass(frozen=True)
@@ -173,14 +174,14 @@ def _checked(
     return CoordinateSplitting(ring, c, images, q)
 
 
-def _pairing(m: Matrix, n: Matrix) -> Scalar:
+def _pairing(m: Matrix[E], n: Matrix[E]) -> E:
     """Return the trace of m times the adjugate of n: tr(p·conj(q)) for the elements behind them."""
     (a, b), (c, d) = m
     (p, q), (r, s) = n
     return a * s - b * r - c * q + d * p
 
 
-def product(m: Matrix, n: Matrix) -> Matrix:
+def product(m: Matrix[E], n: Matrix[E]) -> Matrix[E]:
     """Return the product of two 2 × 2 matrices."""
     (a, b), (c, d) = m
     (p, q), (r, s) = n
