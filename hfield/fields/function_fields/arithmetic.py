@@ -101,7 +101,7 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
         return self.ring.product_of(v.poly for v in ramified)
 
     def with_ramification(
-        self, places: Sequence[FunctionPlace], infinite: bool | None = None
+        self, places: Sequence[FunctionPlace | str], infinite: bool | None = None
     ) -> tuple[Scalar, ...]:
         """Return (a, b, t) over a finite field of constants, t = 1 in characteristic 2."""
         if infinite is not None or self.ring.base.order is None:

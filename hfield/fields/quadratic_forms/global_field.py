@@ -143,9 +143,10 @@ class GlobalField(ABC, Generic[E, P]):
         )
 
     def with_ramification(
-        self, places: Sequence[P], infinite: bool | None = None
+        self, places: Sequence[P | str], infinite: bool | None = None
     ) -> tuple[Scalar, ...]:
-        """Return constants (a, b), or (a, b, t), of an algebra that ramifies exactly at the places.
+        """Return constants (a, b), or (a, b, t), of an algebra that ramifies exactly at the places or their
+        texts.
 
         ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
         how, or where there is none.
