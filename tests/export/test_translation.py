@@ -6,9 +6,11 @@ from hfield.errors import HFieldError, NotationError
 from hfield.export.coq.base_rings import FIELDS, RINGS
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.export import Export, export_session, export_statements
-from hfield.export.coq.terms import NotCoveredError
+from hfield.export.coq.terms import HAMILTON, NotCoveredError, Terms
 from hfield.export.coq.theorem import comment_text, theorem
 from hfield.prover.prove import prove
+from hfield.prover.statements.language import Sort
+from hfield.syntax import parse
 from tests.checker.cases import about_field
 from tests.export.certificates import multilinear, true_certificates
 from tests.subcases import slow, subcases
@@ -41,6 +43,14 @@ def test_terms(statement, text):
     theorem = one(statement)
     assert theorem.text.split(",\n  ")[-1].removeprefix(RINGS.opening) == text
     assert theorem.text.startswith(RINGS.opening)
+
+
+def test_a_quaternion_is_no_scalar():
+    terms = Terms([("q", Sort.QUATERNION), ("s", Sort.SCALAR)], [], HAMILTON)
+    with pytest.raises(MismatchError, match="q is a quaternion, where a scalar is expected"):
+        terms.term(parse("s/q"))
+    with pytest.raises(MismatchError, match="s is a scalar, where a quaternion is expected"):
+        _ = terms.names["s"].coordinates
 
 
 def test_hypotheses_and_quantifiers():

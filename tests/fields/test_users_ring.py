@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from hfield import H, QuaternionAlgebra, check_ring, info, prove
-from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.errors import CoercionError, HFieldError, RingError, UndecidedError
 from hfield.fields import Ring
 from hfield.fields.names import ring
 from hfield.prover.evaluation import all_cases
@@ -73,6 +73,8 @@ def test_what_a_ring_does_not_say_is_not_known():
     about = info(A)
     assert about.division is None
     assert "division" in about.undecided
+    with pytest.raises(RingError, match="over mine, is not written for sage"):
+        A.text_for("sage")
 
 
 class Residue:
