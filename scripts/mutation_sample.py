@@ -456,7 +456,9 @@ def run(count: int, seed: int, output: Path) -> None:
 
 def needs_browser(file: str) -> bool:
     """Return whether tests draw in Chromium, which may wait for ever in a fork with limited memory."""
-    return file.endswith(".py") and "tests.anim.chromium" in (ROOT / file).read_text(encoding="utf-8")
+    return file.endswith(".py") and "tests.anim.chromium" in (ROOT / file).read_text(
+        encoding="utf-8"
+    )
 
 
 def compile_tests(copy: Path) -> None:

@@ -17,10 +17,10 @@ from hfield.errors import (
 )
 from hfield.fields.base.operators import Element, Overfield
 from hfield.fields.base.printing import blackboard, from_unicode, sum_text
-from hfield.fields.base.ring import Fact, Ring, shared
+from hfield.fields.base.ring import Embedding, Fact, Ring, S, shared
 from hfield.fields.base.roots import horner, multiplied, stripped
 from hfield.fields.base.to_sympy import polynomial_in, symbol
-from hfield.fields.function_fields.quotients import Embedding, FractionField, RationalFunction, S
+from hfield.fields.function_fields.quotients import FractionField, RationalFunction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.polynomial_rings import build as build_polynomials
 from hfield.fields.several_variables.ring import RationalFunctions

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.base.printing import blackboard, sum_text
-from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.ring import INFINITY, Embedding, Fact, Ring, S, shared
 from hfield.fields.base.roots import horner, monic_root
 from hfield.fields.function_fields.extensions import ElementBelow, ExtensionElement, SimpleExtension
-from hfield.fields.function_fields.quotients import Embedding, S
 from hfield.fields.function_fields.ring import FunctionField
 
 if TYPE_CHECKING:

@@ -5,23 +5,18 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING
 
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError, shorten
 from hfield.fields.base.operators import Element, Overfield
 from hfield.fields.base.powers import polynomial_power
-from hfield.fields.base.ring import INFINITY, Fact
+from hfield.fields.base.ring import INFINITY, Fact, S
 from hfield.fields.base.roots import monic
 
 if TYPE_CHECKING:
-    from hfield.core.product import Scalar
     from hfield.fields.base.flint_types import AnyPolynomial, Coefficient
-    from hfield.fields.base.ring import E, Ring
-
-S = TypeVar("S", bound="Scalar")  # an element of another ring
-Embedding: TypeAlias = "Callable[[Ring, Ring[S]], Callable[[Scalar], S]]"
-"""The map of a first ring into a second one."""
+    from hfield.fields.base.ring import E, Embedding, Ring
 
 
 class RationalFunction(Element):

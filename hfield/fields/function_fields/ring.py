@@ -19,18 +19,12 @@ from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.base.printing import blackboard, quotient_text, sum_text
 from hfield.fields.base.residue_polynomials import polynomials_modulo
-from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.ring import INFINITY, Embedding, Fact, Ring, S, shared
 from hfield.fields.base.roots import common_divisor, horner, monic, multiplied, substituted
 from hfield.fields.base.storage.base import Storage
 from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.finite.ring import ExtensionField, PrimeField
-from hfield.fields.function_fields.quotients import (
-    Embedding,
-    FractionField,
-    RationalFunction,
-    S,
-    functions_name,
-)
+from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
 from hfield.fields.function_fields.storage import FunctionStorage
 from hfield.fields.rationals.ring import QQ
 

@@ -7,14 +7,8 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from hfield.fields.base.printing import blackboard, quotient_text
-from hfield.fields.base.ring import Fact, Ring, shared
-from hfield.fields.function_fields.quotients import (
-    Embedding,
-    FractionField,
-    RationalFunction,
-    S,
-    functions_name,
-)
+from hfield.fields.base.ring import Embedding, Fact, Ring, S, shared
+from hfield.fields.function_fields.quotients import FractionField, RationalFunction, functions_name
 from hfield.fields.polynomial_rings import PolynomialRing
 
 if TYPE_CHECKING:
