@@ -1,8 +1,8 @@
-"""Check evidence for statements of the language, each kind of evidence by a module of this folder.
+"""Check evidence for statements of the language; each module of this folder checks some kinds of evidence.
 
-``CHECKS`` of a module says what its evidence shows: by the verdict, whether the statement says "exists", and
-the kind that the evidence names. A new kind is a new module. What each kind proves, and why, is written in
-docs/explanation/trust.md.
+``CHECKS`` of a module maps a verdict, whether the statement has "exists", and a kind of evidence to the
+function that checks it. A new kind is a new module. docs/explanation/trust.md proves for each kind that the
+evidence is sufficient.
 """
 
 from collections.abc import Callable, Mapping

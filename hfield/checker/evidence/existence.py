@@ -54,9 +54,9 @@ def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResu
 def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
     """Return the statement with terms for the names that "exists" binds.
 
-    What is not defined does not exist; but it makes every comparison false. So a term that may be
-    undefined serves where nothing but comparisons, "and" and "or" follow; elsewhere it must be shown to
-    be defined, which a comparison with itself says.
+    Every comparison with an undefined term is false. So a term that may be undefined is allowed if the
+    conclusion is built from comparisons by "and" and "or" alone. Otherwise the statement gets the further
+    claim that the term is equal to itself, hence defined.
     """
     data = an_object(raw, " ".join(statement.exists), "the terms")
     given, sorts = {name for name, _ in statement.given}, dict(statement.unknowns)

@@ -1,7 +1,7 @@
 """Check that an equation in one quaternion has a root over ℝ, by a cited theorem.
 
-Terms are sums of monomials a₀·q·a₁·q⋯q·aₙ. Where a single one has the highest degree, and its aₙ are not 0,
-the polynomial has a root (Eilenberg and Niven).
+A polynomial in a quaternion q is a sum of monomials a₀·q·a₁·q⋯q·aₙ. It has a root if a single monomial has
+the highest degree, this degree is positive, and the aₙ of this monomial are not 0 (Eilenberg and Niven).
 """
 
 from hfield.checker.check_result import CheckResult

@@ -1,8 +1,9 @@
-"""Check evidence over ℚ_p in a number field whose generator Hensel's lemma finds in ℚ_p.
+"""Check evidence over ℚ_p with values in a number field that Hensel's lemma embeds in ℚ_p.
 
-Where v(f(r)) > 2·v(f′(r)) and p divides no denominator of r and f, which is monic, Newton's steps from r lead
-to a root of f in ℚ_p, so that ℚ[s]/(f) lies in ℚ_p, as ℚ(√d) does for f = X² − d. A term has the same value
-in both. So what is false for elements of that field is false over ℚ_p, and what they show to exist exists.
+Let f be monic, let p divide no denominator of r and f, and let v(f(r)) > 2·v(f′(r)). Then Newton's steps from
+r converge to a root of f in ℚ_p, so ℚ[s]/(f) can be embedded in ℚ_p (ℚ(√d) with f = X² − d). A term has the
+same value in both fields. So elements of ℚ[s]/(f) at which a statement is false refute it over ℚ_p, and
+elements with a stated property exist in ℚ_p.
 """
 
 from dataclasses import replace
