@@ -110,6 +110,19 @@ def test_equivalence_of_ideals_that_are_not_invertible(field: str) -> None:
     assert no.claim.verdict == "refuted"
 
 
+@pytest.mark.parametrize("field", FIELDS)
+def test_equivalence_of_lattices_that_are_invertible_over_no_order(field: str) -> None:
+    A = QuaternionAlgebra(ring(field), -1, -1)
+    O = A.order([3 * x for x in A.maximal_order().basis])
+    D = O.dual()  # O is not a Gorenstein order
+    I = O.left_ideal(D.basis)
+    assert not I.is_invertible()
+    x = element(A, Random(3))
+    assert I * I.equivalence(I * x).element == I * x
+    R = I.conjugate()
+    assert R.equivalence(x * R).element * R == x * R
+
+
 @pytest.mark.parametrize("field", FIELDS[:3])
 def test_equivalence_and_the_keys_of_class_sets(field: str) -> None:
     O = QuaternionAlgebra(ring(field), -1, -31).maximal_order()
