@@ -23,6 +23,7 @@ import math
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
@@ -182,7 +183,7 @@ class Ball:
             reach = math.cosh(self.radius) if n > 0 else math.sinh(self.radius)
             square = abs(n) * base.real(self._norm, v) * (reach**2 if v == order.place else 1.0)
             bound += weight * n + max(share, 0.0) * abs(square)
-        return math.floor(bound * (1 + MARGIN) * self._below + MARGIN)
+        return math.floor(Fraction(bound * (1 + MARGIN)) * self._below + Fraction(MARGIN))
 
     def roots(self, d: BaseNumber) -> Iterator[Quaternion]:
         """Yield elements that include one of ±s for each primitive s with s² = d whose point or axis meets

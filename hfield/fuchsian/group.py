@@ -335,7 +335,9 @@ class NormOneGroup(Certified, Hinted):
                 and not search.is_fixed(self.order, c)
             ):
                 return c
-        raise LatticeError(f"no point near {z} that units do not fix was found")
+        raise LatticeError(
+            f"no point near {z} that units do not fix was found: expected one nearer to 1j"
+        )
 
     # --- closed geodesics --------------------------------------------------------------------------
 

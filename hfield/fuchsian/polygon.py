@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from flint import arb, ctx
+from flint import arb
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
+from hfield.fields.base.balls import precision
 from hfield.fuchsian.plane import CENTER, Motion, Plane, Vector, apply, dot, meeting
 
 
@@ -97,15 +98,12 @@ class Polygon:
 
         The sum is computed in balls, with as many digits as single out k.
         """
-        before = ctx.prec
-        try:
-            for ctx.prec in (64, 128, 256, 512, 1024, 4096):
+        for bits in (64, 128, 256, 512, 1024, 4096):
+            with precision(bits):
                 total = sum((self._angle(n) for n in corners), arb(0))
                 k = (order * total / (2 * arb.pi())).unique_fmpz()
-                if k is not None:
-                    return int(k)
-        finally:
-            ctx.prec = before
+            if k is not None:
+                return int(k)
         raise UndecidedError("4096 bits do not determine the angle at a vertex of the domain")
 
     def _angle(self, n: int) -> arb:

@@ -21,8 +21,10 @@ from flint import fmpz_mat
 from numpy.typing import NDArray
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.errors import TooLargeError
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.orders import hermite
 from hfield.orders.base_values import BaseNumber
 from hfield.orders.lattice_values import LatticeValue
 
@@ -39,6 +41,10 @@ TRIES, LEVELS = 300, 10
 """So often elements of a norm are looked for from eight points, which come as near as 2⁻¹⁰ to the circle."""
 MANIFOLD = 7.0
 """Lattices that have e⁷ times as many short vectors as another one are left out."""
+MAX_RADIUS = 1e3
+"""Lattices with a vector this many times as short as the others are left out: the point is deep in a cusp."""
+MAX_ENTRY = 2.0**32
+"""Entries of vectors, at most: 2³⁰ times as much is an integer of 64 bits."""
 MAX_COSH = 1e9
 """Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
@@ -180,6 +186,7 @@ def element_of_norm(
 
     At the places that do not split the norm is positive. Every element is short from some points.
     """
+    basis = short_basis(order, basis)
     sight = Sight(Plane(order, next(free_centers(order))), basis, norm)
     rng = np.random.default_rng(1)
     for n in range(TRIES):
@@ -198,10 +205,24 @@ def split_order(order: LatticeValue) -> SplitOrder:
 
     Products have small coordinates in it. Raises :class:`IndefiniteError`.
     """
-    plain = SplitOrder(order)
-    sight = Sight(first_plane(plain), order.basis)
-    steps = reduction(sight.forms(np.zeros(1), 1.0)[0]).tolist()
-    return SplitOrder(order, order.elements(fmpz_mat(steps) * order.matrix))
+    return SplitOrder(order, short_basis(SplitOrder(order), order.basis))
+
+
+def short_basis(order: SplitOrder, basis: Sequence[Quaternion]) -> tuple[Quaternion, ...]:
+    """Return a basis of the same lattice that looks short from a point.
+
+    Of the form that measures it, only the matrix on the basis of the algebra is rounded: a basis of any size
+    is reduced exactly.
+    """
+    ambient = order.order.ambient
+    units = [ambient.element(row) for row in hermite.tuples(ambient.identity)]
+    seen = Sight(first_plane(order), units).forms(np.zeros(1), 1.0)[0]
+    size = ambient.size
+    form = fmpz_mat(size, size, [round(x) for x in (seen @ seen.T * 2.0**30).ravel().tolist()])
+    rows, den = ambient.rows(basis).numer_denom()
+    _, steps = (rows * form * rows.transpose()).lll(transform=True, rep="gram")
+    found = steps * rows
+    return tuple(ambient.element(row, int(den)) for row in hermite.tuples(found))
 
 
 def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
@@ -221,34 +242,42 @@ def first_plane(order: SplitOrder) -> Plane:
 
 def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
     """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
-    plane = first_plane(order)
     if len(order.basis) == 4:
-        candidates = _small(order, Sight(plane))
+        candidates = _small(order)
     else:  # small elements are mostly fixed by units
+        plane = first_plane(order)
         rng = random.Random(1)
         turns = (2 * cmath.pi * rng.random() for _ in range(1000))
         candidates = (plane.nearby(cmath.rect(rng.random() / 2, turn), 5) for turn in turns)
     return (c for c in candidates if not is_fixed(order, c))
 
 
-def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
+def _small(order: SplitOrder) -> Iterator[Quaternion]:
     """Yield elements of trace 0 and positive norm in an order over ℤ, one of each norm, by the norm."""
     twice = fmpz_mat(order.rows([2 * x - x.trace() for x in order.basis])).hnf().tolist()
-    rows = np.array([[int(c) for c in row] for row in twice[:3]])
-    rows = reduction(rows @ sight.forms(np.zeros(1), 1.0)[0]) @ rows
+    without_trace = [order.element([int(c) for c in row]) for row in twice[:3]]
+    basis = short_basis(order, without_trace)
+    pairs = ((x * y.conjugate()).trace() for x in basis for y in basis)
+    traces = [int(order.base.trace(order.scalar(t)).p) for t in pairs]  # of any size
+    gram = np.array(traces, dtype=object).reshape(3, 3)
     for reach in (3, 8, 20):
         cube = np.indices((reach + 1, 2 * reach + 1, 2 * reach + 1)).reshape(3, -1).T
         cube -= [0, reach, reach]
-        some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
-        a, b = sight.motions(some)
-        norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
-        for c in map(order.element, some[first[norms > EQUAL_WITHIN]].tolist()):
-            if order.sign(order.scalar(c.norm())) > 0:  # floats may be wrong where numbers are long
-                yield c
+        rows = cube[np.gcd.reduce(cube, axis=1) == 1]
+        norms, first = np.unique((rows @ gram * rows).sum(axis=1), return_index=True)
+        for row in rows[first[norms > 0]].tolist():
+            yield sum((x * c for x, c in zip(basis, row, strict=True)), order.algebra(0))
 
 
 def reduction(vectors: Floats) -> Rows:
-    """Return the change to a reduced basis of the lattice that rows span."""
+    """Return the change to a reduced basis of the lattice that rows span.
+
+    Raises :class:`TooLargeError` for rows so long that floats do not tell the short ones.
+    """
+    if abs(vectors).max() > MAX_ENTRY:
+        raise TooLargeError(
+            "this centre is too deep in a cusp for floats: expected one nearer to that of domain()"
+        )
     whole = np.rint(vectors * 2.0**30).astype(np.int64).tolist()
     _, steps = fmpz_mat(whole).lll(transform=True)
     return np.array([int(x) for x in steps.entries()]).reshape(len(whole), -1)
@@ -283,8 +312,10 @@ def short_vectors(bases: Floats, bound: float) -> tuple[Rows, Rows]:
     chosen = np.zeros((count, rank), dtype=np.int64)
     left = np.full(count, bound)
     for k in range(rank - 1, -1, -1):
-        shift = np.einsum("nj,nj->n", chosen[:, k + 1 :], mu[which, k + 1 :, k])
         radius = np.sqrt(np.maximum(left, 0)) / scale[which, k]
+        near = radius < MAX_RADIUS
+        which, chosen, left, radius = which[near], chosen[near], left[near], radius[near]
+        shift = np.einsum("nj,nj->n", chosen[:, k + 1 :], mu[which, k + 1 :, k])
         low = np.ceil(-shift - radius).astype(np.int64)
         if k == rank - 1:
             low = np.maximum(low, 0)

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from math import sqrt
 
+from flint import arb
+
 from hfield.algebra.quaternion import Quaternion
+from hfield.errors import UndecidedError
+from hfield.fields.base.balls import MAX_BITS, precision
 from hfield.fuchsian.split_order import SplitOrder
 
 
@@ -15,18 +19,34 @@ def _squares(order: SplitOrder) -> tuple[float, float, float]:
 
 
 def fixed_point(order: SplitOrder, c: Quaternion) -> complex:
-    """Return the fixed point of an element of trace 0 in the upper half plane, in floats."""
-    alpha, b, t = _squares(order)
-    _, x, y, z = (order.real(order.scalar(q)) for q in c.coordinates)
+    """Return the fixed point of an element of trace 0 in the upper half plane, in floats.
+
+    Each part is right to within rounding, whatever the size of the element. Raises :class:`UndecidedError`.
+    """
+    bits = 128
+    while bits <= MAX_BITS:
+        with precision(bits):
+            real, imag = _fixed_ball(order, c)
+            if imag.rel_accuracy_bits() > 53 and (real.rad() < imag * 2.0**-53):
+                return complex(float(real.mid()) + 0.0, float(imag.mid()))
+        bits *= 2
+    raise UndecidedError(f"{MAX_BITS} bits do not determine a point of the upper half plane")
+
+
+def _fixed_ball(order: SplitOrder, c: Quaternion) -> tuple[arb, arb]:
+    """Return balls around the real and the imaginary part, with flint's present precision."""
+    a, t, b = (order.ball(order.scalar(x)) for x in order.algebra.constants)
+    _, x, y, z = (order.ball(order.scalar(q)) for q in c.coordinates)
+    alpha = a + t * t / 4
     y += t * z / 2
     # with u = i − t/2 and c = x·u + y·j + z·u·j
     if alpha > 0:  # u is diagonal, j = [0 b; 1 0]
-        s = sqrt(alpha)
-        p, q, r = s * x, b * (y + s * z), y - s * z
+        s = alpha.sqrt()
+        p, r = s * x, y - s * z
     else:  # j is diagonal, u = [0 α; 1 0]
-        s = sqrt(b)
-        p, q, r = s * y, alpha * (x - s * z), x + s * z
-    return complex(p / r + 0.0, sqrt(max(0.0, -p * p - q * r)) / abs(r))
+        s = b.sqrt()
+        p, r = s * y, x + s * z
+    return p / r, order.ball(order.scalar(c.norm())).sqrt() / abs(r)
 
 
 def fixing(order: SplitOrder, z: complex, scale: int) -> Quaternion | None:

@@ -6,7 +6,7 @@ Two coordinates are enumerated, in arrays, and the third is a root of a quadrati
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isqrt, pi, sqrt
+from math import isqrt
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from hfield.errors import TooLargeError
 Matrix = list[list[int]]
 MAX_PAIRS = 10**8
 """At most about so many pairs of coordinates are enumerated."""
+MAX_AREA_SQUARED = 4 * MAX_PAIRS**2 // 10
+"""The number of pairs and their negatives is about the area of an ellipse; its square, with 10 for π²."""
 MAX_ARRAY = 2**18
 """So many pairs are in one array."""
 MAX_INT64 = 2**61
@@ -37,19 +39,17 @@ def vectors_of_value(
         head * definite[m][n] - definite[k][m] * definite[k][n] for m, n in ((i, i), (i, j), (j, j))
     )
     limit, minor = head * bound, p * r - q * q
-    if pi * limit / sqrt(minor) > 2 * MAX_PAIRS:
+    if limit**2 > MAX_AREA_SQUARED * minor:
         raise TooLargeError(f"more than {MAX_PAIRS} elements would be enumerated")
     most = (isqrt(limit * r // minor) + 1, isqrt(limit * p // minor) + 1)
     kind = np.int64 if _fits(form, value, most, (i, j, k)) else object
     step = max(1, MAX_ARRAY // (2 * most[0] + 3))
     for first in range(0, most[1] + 1, step):
         heights = np.arange(first, min(first + step, most[1] + 1))
-        # in floats, and so a little more than there is
-        half = np.sqrt(
-            np.maximum(0.0, float(p * limit) - float(minor) * heights.astype(float) ** 2)
-        )
-        middle = -float(q) * heights / float(p)
-        half = half / float(p) + 1e-9 * (1 + abs(middle))
+        # in floats, and so a little more than there is; the quotients are of numbers of any size
+        half = np.sqrt(np.maximum(0.0, limit / p - minor / p**2 * heights.astype(float) ** 2))
+        middle = -(q / p) * heights
+        half = half + 1e-9 * (1 + abs(middle))
         low = np.where(heights == 0, 0, np.ceil(middle - half)).astype(np.int64)
         number = np.maximum(0, np.floor(middle + half).astype(np.int64) - low + 1)
         starts = np.cumsum(number) - number
