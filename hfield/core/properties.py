@@ -8,6 +8,23 @@ from typing import Any, TypeVar, overload
 T = TypeVar("T")
 
 
+class WithoutCaches:
+    """A class whose pickles and copies leave out the values of cached properties.
+
+    For large tables and compiled functions, which are computed again when they are needed.
+    """
+
+    __slots__ = ()
+
+    def __getstate__(self) -> dict[str, object]:
+        kind = type(self)
+        return {
+            name: value
+            for name, value in vars(self).items()
+            if not isinstance(getattr(kind, name, None), functools.cached_property)
+        }
+
+
 class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands for that of functools
     """A cached property without a lock: the first access takes a third of the time of functools's.
 

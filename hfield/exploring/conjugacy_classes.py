@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure.elements.trace_and_norm import element_of
 from hfield.core.product import Constants, Scalar
+from hfield.core.properties import WithoutCaches
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.fields import quadratic_forms
@@ -26,7 +27,7 @@ MAX_CLASSES = 200_000
 """The greatest number of classes that are listed."""
 
 
-class ConjugacyClass(ABC):
+class ConjugacyClass(WithoutCaches, ABC):
     """The conjugates of ``representative`` under a group of units.
 
     >>> from hfield import H

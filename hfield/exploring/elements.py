@@ -22,6 +22,7 @@ from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion, TooManyError
 from hfield.algebra.structure.invariants.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.core.product import Scalar
+from hfield.core.properties import WithoutCaches
 from hfield.errors import CoercionError, HFieldError, TooLargeError, UndecidedError, shorten
 from hfield.exploring.formulas import expanded, trace_count
 from hfield.exploring.labels import MAX_ORDER, LabelledAlgebra, labelled, order_of_ring
@@ -51,7 +52,7 @@ class _Selection:
     completions: Callable[[int], np.ndarray]
 
 
-class Elements:
+class Elements(WithoutCaches):
     """The elements of an algebra with a property: iterated in the order of ``A.elements()``.
 
     Nothing is listed before it is needed. Over an infinite field ``condition`` says which they are, and

@@ -17,6 +17,7 @@ from math import gcd, lcm, prod
 from typing import TYPE_CHECKING, Protocol
 
 from hfield.core.factorisation import factorise
+from hfield.core.properties import WithoutCaches
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.exploring.finite_groups import FiniteGroup
 
@@ -66,7 +67,7 @@ class NamedGroup(Protocol):
         """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
 
 
-class ListedGroup(ABC):
+class ListedGroup(WithoutCaches, ABC):
     """A group whose elements are listed; over ℤ/n it may be the product of the groups modulo prime powers."""
 
     @cached_property

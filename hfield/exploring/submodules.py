@@ -15,6 +15,7 @@ import flint
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import factorise
+from hfield.core.properties import WithoutCaches
 from hfield.errors import HFieldError, NotFiniteError, RingError
 from hfield.exploring.labels import order_of_ring
 from hfield.fields.base.modular import Modular
@@ -23,7 +24,7 @@ from hfield.fields.linear_algebra.echelon import echelon
 Row = list[Any]
 
 
-class Submodule:
+class Submodule(WithoutCaches):
     """A submodule: ``in``, ``<=`` for inclusion, ``==``.
 
     ``basis`` is a basis over a field; over ℤ/n its elements generate the submodule.

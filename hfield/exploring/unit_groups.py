@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import factorise
+from hfield.core.properties import WithoutCaches
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.exploring import group_names
 from hfield.exploring.conjugacy_classes import (
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 
-class FiniteUnitGroup(ABC):
+class FiniteUnitGroup(WithoutCaches, ABC):
     """A finite group of units of an algebra; supports iteration, ``in`` and ``len``.
 
     >>> from hfield import H

@@ -208,6 +208,12 @@ class NormOneGroup(Certified, Hinted):
     def __repr__(self) -> str:
         return f"the units of norm 1, modulo ±1, of {self.order}"
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, NormOneGroup) and self.order.order == other.order.order
+
+    def __hash__(self) -> int:
+        return hash(self.order.order)
+
     @cached_property
     def area(self) -> Fraction:
         """The area of the plane modulo the group in units of 2π, by Shimizu's formula."""

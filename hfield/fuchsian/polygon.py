@@ -31,6 +31,17 @@ class Polygon:
         self.ends = [*self.starts[1:], *self.starts[:1]]
         self._motions: dict[int, Motion] = {}
 
+    def __eq__(self, other: object) -> bool:
+        """Tell whether two polygons have one centre and the same units."""
+        return (
+            isinstance(other, Polygon)
+            and self.plane.center == other.plane.center
+            and self.units == other.units
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.plane.center, *self.units))
+
     @cached_property
     def _places(self) -> dict[Vector, int]:
         return {x: n for n, x in enumerate(self.images)}

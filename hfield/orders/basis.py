@@ -87,6 +87,9 @@ class AlgebraBasis:
         self.conjugation, below = bars.numer_denom()
         self.conjugate_scale = domain.integer(below)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return basis_of, (self.algebra,)
+
     def _matrix(self, images: Iterable[Sequence[BaseNumber | int]]) -> fmpq_mat:
         """Return the matrix of a linear map over the base by its images of 1, I, J, IJ."""
         numbers = [w * x for q in images for w in self.base.integral_basis for x in q]

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 
 from flint import fmpq
 
+from hfield.algebra.quaternion import Parent
 from hfield.core.executors import InProcess
 from hfield.core.progress import report, track
 from hfield.core.properties import cached_property
@@ -50,6 +51,7 @@ from hfield.orders.neighbour_blocks import (
     partner_inside,
 )
 from hfield.orders.neighbours import Neighbours, generator_above, neighbours_at
+from hfield.orders.standard_orders import eichler_order
 
 if TYPE_CHECKING:
     from hfield.orders.class_file import ClassFile
@@ -417,3 +419,17 @@ def renumbered(kinds: list[int]) -> list[int]:
     """Renumber values from 0 in order of first occurrence."""
     numbers: dict[int, int] = {}
     return [numbers.setdefault(kind, len(numbers)) for kind in kinds]
+
+
+class EichlerClasses:
+    """The classes of Eichler orders of an algebra, by their levels."""
+
+    def __init__(self, algebra: Parent) -> None:
+        self.algebra = algebra
+        self._found: dict[BaseIdeal, Classes] = {}
+
+    def __call__(self, level: BaseIdeal) -> Classes:
+        """Return the classes of an Eichler order of a level."""
+        if level not in self._found:
+            self._found[level] = Classes(eichler_order(self.algebra, level))
+        return self._found[level]

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from fractions import Fraction
-from functools import cache
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Self, TypeVar, overload
 
@@ -52,7 +52,6 @@ from hfield.orders import (
     quadratic_orders,
     related_orders,
     short_elements,
-    standard_orders,
     ternary_forms,
     units,
 )
@@ -61,7 +60,7 @@ from hfield.orders.base import number_field_integers
 from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, ShownIdeal, ThetaSeries
 from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
-from hfield.orders.classes import Classes
+from hfield.orders.classes import Classes, EichlerClasses
 from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.kernels import ideal_products
@@ -924,13 +923,6 @@ class Order(WithStableClasses, Certified, Lattice):
 
             group = self.norm_one_group()
             element, reason, prime = cm_points.embedding(group, discriminant)
-
-            def of_orbits() -> tuple[Quaternion, ...]:
-                return cm_points.of_orbits(group, discriminant)
-
-            def claim() -> CertifiedClaim:
-                return cm_points.claim_of_orbits(group, discriminant)
-
             return Embeddings(
                 element is not None,
                 reason,
@@ -938,9 +930,9 @@ class Order(WithStableClasses, Certified, Lattice):
                 order=self,
                 discriminant=discriminant,
                 listed=None,
-                of_orbits=of_orbits,
+                of_orbits=partial(cm_points.of_orbits, group, discriminant),
                 prime=prime,
-                of_orbits_claim=claim,
+                of_orbits_claim=partial(cm_points.claim_of_orbits, group, discriminant),
             )
         every, chosen = quadratic_orders.embeddings(self.value, discriminant)
         reason = "" if every else "no element of the order has this discriminant and is optimal"
@@ -952,7 +944,7 @@ class Order(WithStableClasses, Certified, Lattice):
             order=self,
             discriminant=discriminant,
             listed=every,
-            of_orbits=lambda: chosen,
+            of_orbits=partial(tuple, chosen),
         )
 
     # --- classes -----------------------------------------------------------------------------------
@@ -1809,13 +1801,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     @cached_property
     def _classes_of_level(self) -> Callable[[BaseIdeal], Classes]:
         """The classes of Eichler orders of the same algebra, by their levels."""
-        algebra = self.order.algebra
-
-        @cache
-        def classes(level: BaseIdeal) -> Classes:
-            return Classes(standard_orders.eichler_order(algebra, level))
-
-        return classes
+        return EichlerClasses(self.order.algebra)
 
     def rational_newforms(self, *, executor: Executor | None = None) -> list[RationalNewform]:
         """Return all newforms of weight 2 with rational eigenvalues, also at large level.

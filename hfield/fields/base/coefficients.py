@@ -43,4 +43,4 @@ class Coefficients(tuple[Scalar, ...]):
         return f"${self.text('latex')}$"
 
     def __reduce__(self) -> tuple[object, ...]:
-        return tuple, (list(self),)  # what travels is the tuple
+        return type(self), (self.ring, list(self))

@@ -16,6 +16,7 @@ from functools import lru_cache, wraps
 from random import Random
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeAlias, runtime_checkable
 
+import hfield.core.flint_pickles  # noqa: F401  # so that whatever has elements of rings can be pickled
 from hfield import syntax
 from hfield.core.product import Constants, Scalar
 from hfield.errors import (
