@@ -24,7 +24,8 @@ def align(
     source, target : array_like, shape (…, N, 3), or (3,) for a single pair
         Vectors; their lengths weigh as well.
     weights : array_like, shape (…, N), optional
-        Not negative. One may be infinite: its pair is aligned exactly, and not counted in rssd.
+        Not negative; a pair of weight 0 has no influence. One may be infinite: its pair is aligned
+        exactly, and not counted in rssd.
 
     Returns
     -------

@@ -30,9 +30,17 @@ from rotation.vectors import between, from_axis_angle
 
 
 def checked(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array, Array]:
-    """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together."""
+    """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together.
+
+    Vectors of weight 0 are set to 0, whatever they were, except for libraries that differentiate by weights.
+    """
     v, w = checked_vectors(a, b, weights)
-    return v, w, _weights(namespace(v), weights, v)
+    xp = namespace(v)
+    share = _weights(xp, weights, v)
+    if weights is not None and not is_differentiable(v) and bool(xp.any(share == 0.0)):
+        counts = (share != 0.0)[..., None]
+        v, w = (xp.where(counts, x, xp.zeros_like(x)) for x in (v, w))
+    return v, w, share
 
 
 def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array]:

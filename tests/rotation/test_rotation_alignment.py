@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from rotation import Rotation, RotationError, align, align_points
+from rotation import Rotation, RotationError, align, align_points, align_similarity
 
 
 def loss(r: Rotation, a: np.ndarray, b: np.ndarray, w: np.ndarray) -> float:
@@ -188,3 +188,17 @@ def test_nan_spoils_its_own_set() -> None:
 def test_alignments_that_are_not_determined(call: Callable[[], object]) -> None:
     with pytest.raises(RotationError):
         call()
+
+
+@pytest.mark.parametrize("wrong", [1e308, 1e200, np.nan, np.inf])
+@pytest.mark.parametrize("stacked", [True, False])
+def test_a_pair_of_weight_0_has_no_influence(wrong: float, stacked: bool) -> None:
+    a = np.random.default_rng(3).standard_normal((2, 5, 3))
+    r = Rotation.random(2, rng=4)
+    b, w = np.stack([q.apply(v) for q, v in zip(r, a, strict=True)]), np.ones((2, 5))
+    w[1, 2], a[1, 2], b[1, 2] = 0.0, wrong, -wrong
+    if not stacked:
+        a, b, w, r = a[1], b[1], w[1], r[1]
+    found = [align(a, b, w)[0], align_points(a, b, w)[0], align_similarity(a, b, w).rotation]
+    for q in found:
+        assert (q * r.inv()).magnitude() == pytest.approx(0.0, abs=1e-7)
