@@ -28,7 +28,9 @@ class WithoutCaches:
 class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands for that of functools
     """A cached property without a lock: the first access takes a third of the time of functools's.
 
-    Python takes no lock since 3.12: two threads may compute a value twice.
+    Python takes no lock since 3.12: two threads may compute a value twice. ``super().x`` computes the value
+    of the base class each time: the cache belongs to the attribute of the object's own class. Raises
+    TypeError where the property has no name.
     """
 
     @overload
@@ -38,5 +40,13 @@ class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands 
     def __get__(self, instance: Any, parent: type[Any] | None = None) -> Any:
         if instance is None:
             return self
-        value = instance.__dict__[self.attrname] = self.func(instance)
+        name = self.attrname
+        if name is None:
+            raise TypeError(
+                "a cached_property that is set on a finished class has no name: define it in the body of the "
+                "class, or call its __set_name__(cls, name)"
+            )
+        value = self.func(instance)
+        if getattr(type(instance), name, None) is self:  # else it was called by super()
+            instance.__dict__[name] = value
         return value
