@@ -29,13 +29,29 @@ def __getattr__(name: str) -> object:
     try:
         return _attribute(name)
     except AttributeError as error:
-        from hfield.hints import ForeignImportError, ForeignNameError, called_here
+        from hfield.hints import ForeignNameError, called_here
 
         if not (here := called_here(name)):
             raise
         message = f"hfield has no {name!r}: write {here}"
-        # ``from hfield import name`` drops the message of an AttributeError, and ``hasattr`` needs one:
-        # the importing function of Python is known by its name.
-        if sys._getframe(1).f_code.co_name == "_handle_fromlist":
-            raise ForeignImportError(message, name=__name__) from None
         raise ForeignNameError(message, name=name) from error
+
+
+class _ForeignImports:
+    """The last finder of modules: for a name of another system it says what to write instead.
+
+    ``from hfield import name`` looks for an attribute, whose error Python drops, and then for a module.
+    """
+
+    @staticmethod
+    def find_spec(fullname: str, path: object = None, target: object = None) -> None:
+        package, _, name = fullname.rpartition(".")
+        if package == __name__:
+            from hfield.hints import ForeignImportError, called_here
+
+            if here := called_here(name):
+                message = f"hfield has no {name!r}: write {here}"
+                raise ForeignImportError(message, name=fullname)
+
+
+sys.meta_path.append(_ForeignImports)

@@ -1,9 +1,11 @@
 """Names of other systems: each answers with what to write, and that exists."""
 
 import re
+import sys
 
 import pytest
 
+import hfield
 from hfield import H, QuaternionAlgebra, ring
 from hfield.hints import (
     ALGEBRA,
@@ -141,3 +143,37 @@ def test_what_is_to_be_written_for_functions_that_turn_points_runs():
 def test_what_is_to_be_written_runs(hint):
     assert any(hint in text for _, hints in HINTED for text in hints.values())
     eval(hint, dict(ABOUT))
+
+
+IMPORTS = {
+    "from": "from hfield import nrd",
+    "two names": "from hfield import H, nrd",
+    "another name": "from hfield import nrd as n",
+    "a module": "import hfield.nrd",
+    "importlib": "import importlib; importlib.import_module('hfield.nrd')",
+    "a relative import": "import importlib; importlib.import_module('.nrd', 'hfield')",
+    "the function": "__import__('hfield', fromlist=['nrd'])",
+}
+
+
+@pytest.mark.parametrize("source", IMPORTS.values(), ids=list(IMPORTS))
+def test_an_import_of_a_foreign_name_says_what_to_write(source):
+    with pytest.raises(ImportError, match=r"hfield has no 'nrd': write q\.norm\(\)"):
+        exec(source, {})
+
+
+def test_other_names_and_other_ways_are_as_usual(monkeypatch):
+    with pytest.raises(AttributeError, match="hfield has no 'nrd': write"):
+        hfield.nrd  # noqa: B018
+    assert not hasattr(hfield, "nrd")
+    with pytest.raises(ImportError, match="cannot import name 'nothing_of_ours' from 'hfield'"):
+        exec("from hfield import nothing_of_ours", {})
+    with pytest.raises(ModuleNotFoundError, match=r"No module named 'hfield\.nothing_of_ours'"):
+        exec("import hfield.nothing_of_ours", {})
+    names = {}
+    exec("from hfield import *", names)
+    assert names["H"] is H
+    # without the finder the import fails as any other does
+    monkeypatch.setattr(sys, "meta_path", [x for x in sys.meta_path if "Foreign" not in repr(x)])
+    with pytest.raises(ImportError, match="cannot import name 'nrd' from 'hfield'"):
+        exec("from hfield import nrd", {})
