@@ -198,7 +198,7 @@ def _physics(group: _ArgumentGroup) -> None:
     for name, text in (
         (
             "spin-rate",
-            "rad/s about its own axis (default: a tenth above the spin at which it sleeps; free: 30.5)",
+            "rad/s about its own axis (default: a tenth above the spin of a sleeping top; free: 30.5)",
         ),
         ("tilt", "degrees between its axis and the vertical (default: 5.7; free: 20)"),
         ("precession", "rad/s of its axis around the vertical (default: 0)"),
@@ -214,7 +214,7 @@ def _physics(group: _ArgumentGroup) -> None:
             "spin-decay",
             "s in which friction slows the spin to 1/e; inf: none (default: 40; free: 30)",
         ),
-        ("tilt-decay", "s for the swing of the axis (default: 12)"),
+        ("tilt-decay", "s in which the swing of the axis falls to 1/e (default: 12)"),
         ("tip-radius", "m, of the ball on which a free top stands (default: 0.06)"),
         ("friction", "μ between a free top and the ground (default: 0.5)"),
         ("rolling", "m, the arm of the ground's resistance to rolling (default: 0.01)"),
@@ -224,7 +224,7 @@ def _physics(group: _ArgumentGroup) -> None:
         "--seed",
         type=int,
         metavar="N",
-        help="lean to a random side (default: to the x axis)",
+        help="seed of the random side to which the top leans (default: the x axis)",
     )
 
 

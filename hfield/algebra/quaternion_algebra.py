@@ -1159,7 +1159,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> i*found.particular - found.particular*j == i - j, found.kernel
         (True, (i + j, -1 + k))
         >>> A.sylvester(i, j, k).reason
-        '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, and 1 for c = k'
+        '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, but 1 for c = k'
         """
         from hfield.matrices.equations import solve_linear
 

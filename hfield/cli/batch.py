@@ -29,7 +29,7 @@ def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -
         "--from",
         dest="source",
         metavar="FILE",
-        help="read one input per line of FILE too; blank lines and # comments are skipped",
+        help="also read FILE, one input per line; blank lines and # comments are skipped",
     )
     add_format(parser, *formats, *LINES)
     parser.set_defaults(wanted=metavar)

@@ -53,7 +53,8 @@ class Parser(ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise the message, in place of printing the usage and leaving."""
-        raise UsageError(f"{message}; `{self.prog} --help` shows the usage")
+        without_mark = message.replace("' -", "'-")  # the space of _mark_expressions
+        raise UsageError(f"{without_mark}; `{self.prog} --help` shows the usage")
 
     def format_usage(self) -> str:
         """Return the usage, each option whole on its line, however narrow the terminal is."""

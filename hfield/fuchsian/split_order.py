@@ -200,9 +200,8 @@ def _expect_one_split_place(order: LatticeValue) -> None:
     expect_number_field(base, error)
     if ambient.definite:
         raise IndefiniteError(
-            f"the units of an order in {order.algebra}, which is definite, are finitely many modulo numbers: "
-            "norm_one_group() needs an algebra that splits at exactly one real place; units() lists the "
-            "units here"
+            f"{order.algebra} is definite, so an order has finitely many units modulo numbers, and units() "
+            "lists them: norm_one_group() needs an algebra that splits at exactly one real place"
         )
     if not ambient.is_fuchsian:
         real = len(base.real_places)

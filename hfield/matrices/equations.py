@@ -104,7 +104,7 @@ def _solve(
             what = "the right sides" if several else f"c = {equations[0][1]}"
             reason = (
                 f"({weights}) times the coordinates of the left side{'s' * several} is 0 for every "
-                f"{'choice of the unknowns' if several else 'x'}, and {F.text(value)} for {what}"
+                f"{'choice of the unknowns' if several else 'x'}, but {F.text(value)} for {what}"
             )
             return kind(False, reason, kernel=kernel, functional=tuple(y))
     raise AssertionError("a system without solution has a functional that says so")
@@ -145,8 +145,8 @@ class Affine:
         """Return the constant. Raises :class:`NotationError` where the unknown is in it."""
         if self.images:
             raise NotationError(
-                f"{what} has the unknown in it, so that the equation is not linear; roots() of a polynomial "
-                "and `hfield roots` find those of coefficients on the left"
+                f"{what} contains the unknown, so the equation is not linear; roots() of a polynomial and "
+                "`hfield roots` solve equations with all coefficients on the left"
             )
         return self.constant
 

@@ -96,7 +96,7 @@ class Matrix(PrintedBySympy):
         if not found or not found[0] or len({len(row) for row in found}) > 1:
             lengths = [len(row) for row in found]
             raise CoercionError(
-                f"a matrix has rows of one length, at least 1; the lengths are {lengths}"
+                f"the rows of a matrix have one length, at least 1; here the lengths are {lengths}"
             )
         self.algebra, self.rows = algebra, tuple(found)
 

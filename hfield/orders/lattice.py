@@ -964,11 +964,10 @@ class Order(WithStableClasses, Certified, Lattice):
             ambient = self.value.ambient
             number = ambient.base.classes_modulo_signs(ambient).order
             raise IndefiniteError(
-                f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
-                f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
-                f"generators that are positive where the algebra ramifies, {number}, distinguished by the "
-                "reduced norm, and classes_by_norm() has representatives; class_set() enumerates in totally "
-                "definite algebras"
+                f"{self.algebra} is split at an infinite place, and class_set() lists the classes in totally "
+                "definite algebras only: by strong approximation the reduced norm determines the right ideal "
+                f"class of an Eichler order here, the number of classes is {number}, and classes_by_norm() "
+                "has representatives"
             )
         return ClassSet(self, executor, None if file is None else ClassFile(file))
 

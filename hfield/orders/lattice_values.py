@@ -383,8 +383,8 @@ def generated_ideal(order: LatticeValue, generators: list[object], side: str) ->
     if whole is None:
         shown = ", ".join(shorten(x, 30) for x in generators[:4])
         raise LatticeError(
-            f"the {side} ideal of {shown} has a rank below 4: all its generators have norm 0 on one "
-            "line, or are 0"
+            f"the {side} ideal of {shown} has a rank below 4: expected a generator whose norm is not 0, "
+            "such as a number"
         )
     return LatticeValue(ambient, *whole)
 

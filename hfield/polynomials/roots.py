@@ -126,7 +126,8 @@ def matrices_of(f: Polynomial) -> tuple[CoordinateSplitting, list[Matrix]] | Non
 def _infinite(f: Polynomial) -> NotFiniteError:
     A = f.parent.algebra
     return NotFiniteError(
-        f"{f} has infinitely many roots in {A}: spheres, isolated, families and scalars describe them"
+        f"{f} has infinitely many roots in {A}, which cannot be listed: spheres, isolated, families and "
+        "scalars describe them"
     )
 
 

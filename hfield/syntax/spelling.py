@@ -405,5 +405,5 @@ def foreign_function_hint(function: str) -> str:
     if function == "abs":
         return ", the norm of q is norm(q)"
     if function == "sqrt":
-        return ", but over a field that has the root, such as QQ(sqrt(2)), it is an element"
+        return ": work over a field that contains the root, such as QQ(sqrt(2))"
     return f", write {FOREIGN_FUNCTIONS[function]}" if function in FOREIGN_FUNCTIONS else ""

@@ -42,10 +42,21 @@ def configure(parser: ArgumentParser) -> None:
     add = parser.add_argument
     add("--test", choices=("1", "2"), metavar="1|2", help="only this test (default: both)")
     points, frames, repeats, threads = (whole(1, most) for most in (MAX_POINTS, 100_000, 1000, 256))
-    add("--points", type=points, default=550_000, metavar="N", help="points (default: 550000)")
+    add(
+        "--points",
+        type=points,
+        default=550_000,
+        metavar="N",
+        help="number of points (default: 550000)",
+    )
     add("--frames", type=frames, metavar="N", help="frames of a run (default: 300; quick: 30)")
-    add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")
-    add("--threads", type=threads, metavar="N", help="for every way (default: all processors)")
+    add("--repeats", type=repeats, metavar="N", help="runs of each library (default: 10; quick: 3)")
+    add(
+        "--threads",
+        type=threads,
+        metavar="N",
+        help="threads of each library (default: all processors)",
+    )
     add("--quick", action="store_true", help="a rough answer in about 15 seconds instead of 70")
     add(
         "--own",

@@ -129,7 +129,7 @@ def test_formulas_are_texts():
 
 
 def test_what_cannot_be_counted():
-    with pytest.raises(NotFiniteError, match="not a finite field, nor ZZ/n"):
+    with pytest.raises(NotFiniteError, match="neither a finite field nor ZZ/n"):
         count(ring("QQ"), constants("QQ", -1, 0, -1), "norm")
     with pytest.raises(NotFiniteError, match="infinite"):
         tally(ring("QQ"), constants("QQ", -1, 0, -1))

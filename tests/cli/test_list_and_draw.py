@@ -61,7 +61,7 @@ def test_other_lists(capsys, what: str, count: int) -> None:
 def test_over_infinite_fields_some_are_drawn(capsys) -> None:
     _, out, _ = run(capsys, "list", "QQ", "norm=2", "--limit", "3")
     head, *lines = out.splitlines()
-    assert head.startswith("# norm(q) == 2; drawn at random")
+    assert head.startswith("# norm(q) == 2; random elements")
     assert len(lines) == 3
     status, _, err = run(capsys, "list", "QQ", "units", "--count")
     assert (status, "infinite" in err) == (2, True)

@@ -111,7 +111,7 @@ def test_claims_are_searched_by_their_words(capsys):
     assert "centre" in [claim["name"] for claim in found]
     assert len(found) < 30
     assert main(["claims", "--search", "no such word"]) == 0
-    assert "no claim speaks of" in capsys.readouterr().err
+    assert "no claim contains" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["1.4.1", "twierdzenie 3", "lemat-1", "definition 2"])

@@ -37,7 +37,7 @@ EXAMPLES = (
     "hfield check --statement 'norm(q) == 0 => q == 0' --field Q anisotropic.json",
     "hfield check *.json --coq",
 )
-LINES_SUFFIX = ".jsonl"  # a file of many, one a line
+LINES_SUFFIX = ".jsonl"  # a file with one certificate per line
 ABOUT = ("statement", "algebra", "field", "verdict", "scope")
 LISTS = ("assumes", "theorems", "assumptions", "vacuous", "left_out", "rings")
 COLUMNS = ("file", "accepted", *ABOUT, *LISTS[1:], "reason")
@@ -54,7 +54,7 @@ def configure(parser: ArgumentParser) -> None:
     add_inputs(
         parser,
         "FILE",
-        f"certificates, hfield-cert/2; in a {LINES_SUFFIX} one a line",
+        f"certificates (hfield-cert/2); a {LINES_SUFFIX} file has one per line",
         "plain",
         "json",
     )
@@ -72,7 +72,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--allow-assumptions",
         action="store_true",
-        help="exit with 0 also if a certificate rests on assumptions",
+        help="exit with 0 even if a certificate rests on assumptions",
     )
     parser.add_argument(
         "--work",

@@ -47,7 +47,7 @@ def run(args: Namespace) -> int:
     if args.search is not None:
         chosen = [claim for claim in chosen if _speaks_of(claim, args.search)]
         if not chosen:
-            note(f"no claim speaks of {shorten(args.search)!r}; `hfield claims` lists them all")
+            note(f"no claim contains {shorten(args.search)!r}; `hfield claims` lists all")
 
     def latex() -> str:
         from hfield.ledger import paper

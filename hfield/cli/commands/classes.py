@@ -64,7 +64,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--newforms",
         action="store_true",
-        help="add the newforms of weight 2 with rational eigenvalues; hfield newforms has all",
+        help="add the newforms of weight 2 with rational eigenvalues; `hfield newforms` lists all",
     )
     add_class_search(parser)
     add_answers(parser)
@@ -243,7 +243,7 @@ def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[],
             ("algebra", f"{A}, discriminant of the order {O.discriminant()}: indefinite"),
             (
                 "class number",
-                f"{len(ideals)}, by strong approximation: the reduced norm tells the class",
+                f"{len(ideals)}, by strong approximation: the reduced norm determines the class",
             ),
             ("type number", str(ideals.type_number)),
             ("norms", ", ".join(str(I.norm()) for I in islice(ideals, SHOWN))),
@@ -279,7 +279,7 @@ def _forms(C: ClassSet) -> list[AnswerSection]:
 
     dimensions = (
         f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}; rational ones below, with "
-        "eigenvalues a_p and signs w_p of Atkin and Lehner"
+        "eigenvalues a_p and Atkin–Lehner signs w_p"
     )
     facts = [("cusp forms", dimensions)]
     for n, f in enumerate(_newforms(C), 1):

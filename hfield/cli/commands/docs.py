@@ -31,8 +31,8 @@ def run(args: Namespace) -> int:
     """Open a page, or say where it is."""
     if not SITE.is_dir():
         raise UsageError(
-            "this installation has no pages: in a checkout, `pip install '.[docs]'` and "
-            "`python tasks.py docs` make them, and `pip install .` then brings them here"
+            "the documentation is not installed: in a checkout, `pip install '.[docs]'` and "
+            "`python tasks.py docs` build it, and `pip install .` then installs it"
         )
     path = _find(args.page.removesuffix(".html"))
     print(path)

@@ -9,7 +9,7 @@ from hfield.cli.parser import UsageError, algebra_of
 
 HELP = (
     "Draw an algebra over a finite ring: its table of products or its norms as coloured squares, its ideals "
-    "as a Hasse diagram, or the graph of its zero divisors or of what commutes."
+    "as a Hasse diagram, its zero-divisor graph or its commuting graph."
 )
 DOING = "drawing"
 EXAMPLES = (
@@ -38,7 +38,7 @@ def configure(parser: ArgumentParser) -> None:
         metavar="WHAT",
         help=f"{', '.join(WHATS)} (default: {WHATS[0]})",
     )
-    parser.add_argument("--dark", action="store_true", help="draw on a dark page")
+    parser.add_argument("--dark", action="store_true", help="draw on a dark background")
     parser.add_argument("-o", "--output", metavar="FILE", help="a file .svg, .png or .pdf")
 
 

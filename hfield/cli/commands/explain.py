@@ -11,8 +11,8 @@ from hfield.cli.parser import add_output, add_standalone
 from hfield.cli.status import Waiting
 
 HELP = (
-    "Show a decision in full: the statement, how the print was read, each step of the "
-    "proof, or the witness."
+    "Show a decision in full: the statement, how the printed text was read, and each step of the "
+    "proof or the witness."
 )
 DOING = "deciding"
 EXAMPLES = (

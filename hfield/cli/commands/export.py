@@ -27,7 +27,7 @@ EXAMPLES = ("hfield export --coq theorems.v",)
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "--coq", metavar="FILE", help="write theorems for Coq to FILE; - is the terminal"
+        "--coq", metavar="FILE", help="write theorems for Coq to FILE; - writes to the terminal"
     )
     parser.add_argument(
         "--lean",
@@ -52,7 +52,7 @@ def configure(parser: ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="CERT",
-        help="write these certificates; of the ledger, only claims named by --claim",
+        help="write the theorems of these certificates, and of the ledger only the claims of --claim",
     )
 
 

@@ -47,7 +47,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
     K: Any = ring(args.field)
     if not hasattr(K, "class_group"):
         raise UsageError(
-            f"{shorten(K.name)} is not a number field here; expected one such as QQ(sqrt(10))"
+            f"{shorten(K.name)} is not a number field; expected one such as QQ(sqrt(10))"
         )
     group, units = K.class_group(), K.unit_group()
     answer = of_parts(lambda: to_json(K), lambda: parts(K))

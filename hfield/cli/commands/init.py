@@ -20,7 +20,7 @@ EXAMPLES = ("hfield init sheet.toml", "hfield init week-3.toml")
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "file", metavar="FILE", help="the new ledger, such as sheet.toml; - is the terminal"
+        "file", metavar="FILE", help="the new ledger, such as sheet.toml; - writes to the terminal"
     )
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 HELP = (
     "List the elements of an algebra over a finite ring: units, zero-divisors, idempotents, nilpotents, "
     "norm=N, trace=S; or its left-ideals, right-ideals, two-sided-ideals, subalgebras, classes. Over an "
-    "infinite field some elements are drawn at random."
+    "infinite field, random elements are printed."
 )
 DOING = "listing"
 EXAMPLES = (
@@ -40,9 +40,9 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "what", metavar="WHAT", help=f"{', '.join((*SETS, 'norm=N', 'trace=S', *OTHERS))}"
     )
-    parser.add_argument("--count", action="store_true", help="only say how many there are")
+    parser.add_argument("--count", action="store_true", help="print only their number")
     most = whole(1, MAX_LISTED)
-    parser.add_argument("--limit", type=most, metavar="N", help="list the first N only")
+    parser.add_argument("--limit", type=most, metavar="N", help="list only the first N")
     add_format(parser, "plain", "csv", "json")
     add_output(parser)
 
@@ -104,7 +104,7 @@ def _write_elements(out: Sink, found: Elements, args: Namespace) -> None:
         )
     else:
         if not found.is_finite:
-            out.write(f"# {found.condition}; drawn at random, as {A} is infinite")
+            out.write(f"# {found.condition}; random elements, since {A} is infinite")
         lines = map(str, listed)
     while block := list(islice(lines, BLOCK)):
         out.write("\n".join(block))

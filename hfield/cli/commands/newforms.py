@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 HELP = (
     "List the newforms of weight k that an Eichler order gives, one for each Galois orbit: the field of the "
-    "eigenvalues, eigenvalues a_P, and signs w_P of Atkin and Lehner. Over QQ they are all newforms of level "
-    "D·N, D being the discriminant of the algebra and N the level of the order, with q-expansions and the "
+    "eigenvalues, eigenvalues a_P, and Atkin–Lehner signs w_P. Over QQ they are all newforms of level "
+    "D·N, where D is the discriminant of the algebra and N the level of the order, with q-expansions and the "
     "labels of the LMFDB. Over a totally real field they are Hilbert modular forms of parallel weight."
 )
 DOING = "enumerating classes"

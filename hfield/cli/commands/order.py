@@ -64,7 +64,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--units",
         action="store_true",
-        help="list the units of a definite order; over a number field one of each coset of its units",
+        help="list the units of a definite order; over a number field, one of each coset of its units",
     )
     add_answers(parser)
 

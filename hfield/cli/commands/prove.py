@@ -60,7 +60,7 @@ def configure(parser: ArgumentParser) -> None:
         type=seconds,
         default=30.0,
         metavar="S",
-        help="limit in seconds of processor time (default: 30); the load of the machine does not count",
+        help="time limit in seconds of processor time (default: 30)",
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_standalone(parser)

@@ -24,7 +24,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--symbols",
         metavar="NAMES",
-        help='symbols of sympy at hand, such as "a b t"; the field becomes that of the functions in them',
+        help='symbols of sympy, such as "a b t"; the field becomes that of the rational functions in them',
     )
 
 

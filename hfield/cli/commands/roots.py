@@ -45,12 +45,12 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--variable",
         metavar="X",
-        help="the name of the variable (default: the one letter from p to z that means nothing else, or x)",
+        help="the name of the variable (default: the only letter from p to z without another meaning, or x)",
     )
     parser.add_argument(
         "--list",
         action="store_true",
-        help="list all roots, one a line, where they are finitely many, as over a finite field",
+        help="list all roots, one per line, if there are finitely many, as over a finite field",
     )
     add_algebra(parser)
     add_output(parser)

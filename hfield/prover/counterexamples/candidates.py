@@ -273,5 +273,8 @@ def witness_texts(field: Ring, assignment: Assignment) -> dict[str, list[str]]:
 
 
 def shown(witness: Mapping[str, Sequence[str]]) -> str:
-    """Write the values of a witness in a line."""
-    return ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
+    """Write the values of a witness in a line: scalars, and the coordinates of quaternions."""
+    return ", ".join(
+        f"{name} = {v[0]}" if len(v) == 1 else f"{name} = ({', '.join(v)})"
+        for name, v in witness.items()
+    )

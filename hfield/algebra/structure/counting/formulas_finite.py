@@ -51,7 +51,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
     """
     if not has_formulas(ring):
         raise NotFiniteError(
-            f"{ring.name} is not a finite field, nor ZZ/n: count over these, such as GF(9) or ZZ/6"
+            f"{ring.name} is neither a finite field nor ZZ/n: expected one, such as GF(9) or ZZ/6"
         )
     kind = counted_kind(kind).name
     assert ring.order is not None
