@@ -33,7 +33,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
         "<title>The spinning top<": "<title>Wirujący bąk<",
         '<h1 class="unseen">The spinning top<': '<h1 class="unseen">Wirujący bąk<',
         "A spinning top in three dimensions: drag to orbit, scroll to zoom": (
-            "Wirujący bąk w trzech wymiarach: przeciągnij, by obejść, przewiń, by przybliżyć"
+            "Wirujący bąk w trzech wymiarach: przeciągnij, by obrócić widok, przewiń, by przybliżyć"
         ),
         "<dt>space<": "<dt>spacja<",
         ">play or pause<": ">odtwórz lub zatrzymaj<",
@@ -41,16 +41,16 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
         ">faster, slower<": ">szybciej, wolniej<",
         ">first and last frame<": ">pierwsza i ostatnia klatka<",
         ">zoom (or scroll, or pinch)<": ">przybliż (albo przewiń lub rozsuń palce)<",
-        ">orbit (or drag)<": ">obejdź (albo przeciągnij)<",
+        ">orbit (or drag)<": ">obróć widok (albo przeciągnij)<",
         ">all tops, or one alone<": ">wszystkie bąki lub jeden<",
-        ">look from where we began<": ">widok początkowy<",
+        ">the initial view<": ">widok początkowy<",
         ">this list<": ">ta lista<",
         'aria-label="play"': 'aria-label="odtwórz"',
         '? "pause" : "play"': '? "zatrzymaj" : "odtwórz"',
         'aria-label="frame"': 'aria-label="klatka"',
         ">speed <": ">tempo <",
         'aria-label="speed"': 'aria-label="tempo"',
-        'title="look from where we began (r)" aria-label="reset the view"': 'title="widok początkowy (r)"'
+        'title="the initial view (r)" aria-label="reset the view"': 'title="widok początkowy (r)"'
         ' aria-label="przywróć widok"',
         'title="keys (?)" aria-label="show the keys"': 'title="klawisze (?)" aria-label="pokaż klawisze"',
         "This page draws with WebGL, which this browser does not have or has switched off. Another "
@@ -58,7 +58,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
             "Ta strona rysuje przez WebGL, którego ta przeglądarka nie ma lub który jest wyłączony. Bąka "
             "pokaże inna przeglądarka albo włączenie przyspieszenia sprzętowego w ustawieniach."
         ),
-        "The graphics were taken away for a moment.": "Grafika jest chwilowo niedostępna.",
+        "The graphics are unavailable for a moment.": "Grafika jest chwilowo niedostępna.",
         '<section id="curves" aria-label="over time"': '<section id="curves" aria-label="w czasie"',
         '"label":"quaternions"': '"label":"kwaterniony"',
     },

@@ -49,17 +49,17 @@ _FIGURES: dict[str, tuple[str, str, dict[str, str]]] = {
 _BENCHMARK: dict[str, dict[str, Any]] = {
     "en": {
         "title": "The benchmark of section 3.2",
-        "head": ("way", "ms a frame, best", "× copy", "× hfield"),
-        "machine": "{points} points of float64, best frame; measured when this page was made, quickly, on"
-        " {processor}, {cores} cores. “hfield bench” measures at leisure.",
+        "head": ("way", "ms per frame, best", "× copy", "× hfield"),
+        "machine": "{points} points of float64, best frame; measured quickly when this page was made, on"
+        " {processor}, {cores} cores. “hfield bench” measures more carefully.",
         "printed": "The thesis printed {printed}.",
         "said": {},
     },
     "pl": {
         "title": "Test wydajności z rozdziału 3.2",
         "head": ("sposób", "ms na klatkę, najlepsza", "× kopia", "× hfield"),
-        "machine": "{points} punktów float64, najlepsza klatka; zmierzone przy tworzeniu tej strony, szybko,"
-        " na {processor}, rdzeni: {cores}. „hfield bench” mierzy bez pośpiechu.",
+        "machine": "{points} punktów float64, najlepsza klatka; zmierzone szybko przy tworzeniu tej strony,"
+        " na {processor}, rdzeni: {cores}. „hfield bench” mierzy staranniej.",
         "printed": "W pracy: {printed}.",
         "said": {
             "Test 1: one axis": "Test 1: jedna oś",

@@ -181,7 +181,7 @@ class Player {
     for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, (e) => { touches.delete(e.pointerId); release(); });
     view.addEventListener("wheel", (e) => { e.preventDefault(); this.zoom(Math.exp(e.deltaY / 800)); }, { passive: false });
     view.addEventListener("dblclick", () => this.look());
-    view.addEventListener("webglcontextlost", (e) => { e.preventDefault(); this.scene = null; this.say("The graphics were taken away for a moment."); });
+    view.addEventListener("webglcontextlost", (e) => { e.preventDefault(); this.scene = null; this.say("The graphics are unavailable for a moment."); });
     view.addEventListener("webglcontextrestored", () => { this.say(""); this.open(); this.mode(this.live); this.stale = true; });
     $("play").addEventListener("click", () => this.toggle());
     $("frame").addEventListener("input", (e) => this.seek(Number(e.target.value)));

@@ -24,7 +24,7 @@ def read_json(text: str) -> object:
             parse_constant=_no_integer,
         )
     except (ValueError, RecursionError) as error:
-        reject(f"this is not JSON: {shown(str(error))}")
+        reject(f"this is not JSON: {shown(str(error), 120)}")
     level, depth = [data], 0
     while level:
         depth += 1
