@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 
 from hfield.cli.answer_formats import OutputDocument
-from hfield.cli.output import Sink, encodable, open_output
+from hfield.cli.output import Sink, encodable, note, open_output
 from hfield.cli.parser import UsageError, add_format
 from hfield.errors import HFieldError, shorten
 
@@ -116,15 +116,19 @@ def texts(args: Namespace) -> Iterator[str]:
 
 
 def _lines_of(name: str) -> Iterator[str]:
+    found = False
     try:
         with nullcontext(sys.stdin) if name == "-" else open(name, encoding="utf-8-sig") as stream:
             for line in stream:
                 text = line.strip()
                 if text and not text.startswith("#"):
+                    found = True
                     yield text
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UsageError(f"cannot read {shorten(name)!r}: {reason}") from error
+    if not found:
+        note(f"{'standard input' if name == '-' else shorten(name)} has no inputs")
 
 
 class Lines:

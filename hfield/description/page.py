@@ -152,7 +152,9 @@ def _derivations(d: Description) -> str:
     if not d.algebra.ring.is_field:
         return f"{d.derivations} generators"
     inner = 4 - len(d.center)
-    which = "all inner" if inner == d.derivations else f"of the inner ones {inner}"
+    which = (
+        "all inner" if inner == d.derivations else f"of which the inner ones have dimension {inner}"
+    )
     return f"dimension {d.derivations}, {which}"
 
 

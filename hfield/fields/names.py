@@ -25,7 +25,7 @@ KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "CDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
     "QQ(I)", "QQ(zeta5)", "QQ[s]/(s^3-2)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
 )  # fmt: skip
-_EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
+_EXPECTED = "known rings: " + " ".join(name.replace(" ", "") for name in KNOWN)
 
 _SYMBOLS = str.maketrans(
     dict(zip("αβγδεζηθικλμνξοπρστυφχψω", GREEK, strict=True))

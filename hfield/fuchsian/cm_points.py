@@ -244,7 +244,8 @@ def discriminant(order: SplitOrder, d: object) -> tuple[BaseNumber, BaseNumber]:
     if t is None or order.algebra.ring.is_square(order.base.outside(x)):
         raise LatticeError(
             f"{shorten(d)} is not a discriminant of a quadratic order over the integers of "
-            f"{shorten(order.algebra.ring.name)}: expected an integer that is a square modulo 4, not a square"
+            f"{shorten(order.algebra.ring.name)}: expected an integer "
+            "that is a square modulo 4 but not a square"
         )
     return x, t
 

@@ -37,6 +37,14 @@ def test_lines_of_a_file_and_of_standard_input(run, tmp_path):
     assert json.loads(run("info", "(-1,-3|QQ)", "--format", "json")[1]) == answers[1]
 
 
+def test_a_file_without_inputs_is_noted(run, tmp_path):
+    file = tmp_path / "none.txt"
+    file.write_text("# nothing\n", encoding="utf-8")
+    status, out, err = run("eval", "--from", str(file))
+    assert (status, out) == (0, "")
+    assert err.endswith("none.txt has no inputs\n")
+
+
 def test_a_line_that_cannot_be_answered_loses_none_of_the_others(run):
     words = ("info", "(-1,-3|QQ)", "nonsense", "(1,1|QQ)", "--format", "csv")
     status, out, _ = run(*words)

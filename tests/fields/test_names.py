@@ -111,7 +111,7 @@ def test_constructors():
 
 REFUSED = {
     "": "empty",
-    "FOO": "known are QQ",
+    "FOO": "known rings: QQ",
     "QC": "there is no ring",
     "GG(9)": r"did you mean GF\(9\)",
     "qq": "did you mean QQ",

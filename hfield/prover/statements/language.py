@@ -368,8 +368,8 @@ class _Analysis:
                 return Sort.SCALAR
             where = "" if self.field is None else f", nor does {self.field.name} read {text!r}"
             self.fail(
-                f"there is no function {function!r}{where}{foreign_function_hint(function)}; known are "
-                f"{', '.join(sorted((*RESULT, *ARGUMENTS)))}",
+                f"there is no function {function!r}{where}{foreign_function_hint(function)}; "
+                f"known functions: {', '.join(sorted((*RESULT, *ARGUMENTS)))}",
                 node,
             )
         wanted = 2 if function == "comm" else 1
