@@ -279,8 +279,8 @@ class NormOneGroup(Certified, Hinted):
             z = complex("nan")
         if not (z.imag > 0 and abs(z) < MAX_FAR):
             raise LatticeError(
-                f"the centre {shorten(center)} does not lie in the upper half plane: expected a complex "
-                "number with positive imaginary part, such as 0.5+1j"
+                f"{shorten(center)} is no centre: expected a complex number with positive imaginary part and "
+                f"an absolute value below {MAX_FAR:g}, such as 0.5+1j"
             )
         return self._around(self._nearby(z))
 

@@ -412,7 +412,7 @@ def test_centers() -> None:
     # i is an elliptic point of SL₂(ℤ), and another point takes its place
     assert abs(G.domain(1j).center - 1j) < 0.2
     for z in (0.5, -1j, complex("nan+infj"), 1e300j, "x", [1j]):
-        with pytest.raises(LatticeError, match="upper half plane"):
+        with pytest.raises(LatticeError, match="positive imaginary part"):
             G.domain(z)
 
 
