@@ -6,7 +6,6 @@ depends on the characteristic, nor on that of the residues. docs/explanation/tru
 """
 
 from collections.abc import Hashable, Mapping
-from typing import Any
 
 from hfield.checker.budget import bounded
 from hfield.checker.evaluate import Evaluator, RingScalars
@@ -14,11 +13,11 @@ from hfield.checker.language import walk
 from hfield.checker.rejection import Rejected, a_text, an_object, reject, texts
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.functions import SeveralVariables
-from hfield.checker.scalars.place import Place
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.place import E, Place, R
+from hfield.checker.scalars.ring import AnyRing, Ring
 from hfield.checker.statement import read_setting
 
-Constants = tuple[Any, Any, Any]
+Constants = tuple[E, E, E]
 KEYS = {
     "ordering": "by",
     "level": "by",
@@ -27,7 +26,7 @@ KEYS = {
 }
 
 
-def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[str, ...]:
+def anisotropic(field: Ring[E], c: Constants[E], data: object, algebra: str) -> tuple[str, ...]:
     """Prove that the norm of the algebra (a, t, b) is 0 only at 0, or raise :class:`Rejected`.
 
     Returns the theorems that are cited: none. ``data`` says ``by`` what it is shown.
@@ -73,17 +72,13 @@ def is_readable(algebra: str, ring: object) -> bool:
     return not isinstance(field, SeveralVariables)
 
 
-def constants_of(algebra: str, data: object) -> tuple[Ring, Constants]:
+def constants_of(algebra: str, data: object) -> tuple[AnyRing, Constants[Hashable]]:
     """Return the field that the data say, and (a, t, b). Raises :class:`Rejected`."""
     ring = read_ring(data)
     setting = read_setting(algebra, ring)
-    constants: dict[Any, Any] = {}
-    for tree in setting.constants:
-        constants |= {
-            node: ring.constant(node) for node in walk(tree) if node[0] in ("name", "call")
-        }
-    if None in constants.values():
-        reject("the structure constants are not known")
+    constants = ring.named_elements(
+        node for tree in setting.constants for node in walk(tree) if node[0] in ("name", "call")
+    )
     evaluator = Evaluator(RingScalars(ring), setting.constants, constants)
     if evaluator.conditions:
         reject("the structure constants are not defined")
@@ -91,14 +86,14 @@ def constants_of(algebra: str, data: object) -> tuple[Ring, Constants]:
     return ring, (a, t, b)
 
 
-def _quaternion(field: Ring, value: object) -> list[Hashable]:
+def _quaternion(field: Ring[E], value: object) -> list[E]:
     found = texts(value, "coordinates", 4)
     if len(found) != 4:
         reject("a quaternion has four coordinates")
     return [field.read(text) for text in found]
 
 
-def _by_ordering(field: Ring, c: Constants) -> None:
+def _by_ordering(field: Ring[E], c: Constants[E]) -> None:
     """Use 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, with d and b negative."""
     a, t, b = c
     d = field.add(field.mul(t, t), field.mul(field.number(4), a))
@@ -107,7 +102,7 @@ def _by_ordering(field: Ring, c: Constants) -> None:
         reject("the constants are not both negative in an ordering that is known here")
 
 
-def _by_level(field: Ring, c: Constants) -> None:
+def _by_level(field: Ring[E], c: Constants[E]) -> None:
     """Use that −1 is not a sum of two squares, in an algebra H(F)."""
     a, t, b = c
     hamilton = all(field.equal(x, field.number(n)) for x, n in ((a, -1), (t, 0), (b, -1)))
@@ -115,17 +110,15 @@ def _by_level(field: Ring, c: Constants) -> None:
         reject("−1 may be a sum of two squares, or this is not H(F)")
 
 
-def _by_place(
-    field: Ring, c: Constants, place: Place, u: list[Hashable], j: list[Hashable]
-) -> None:
+def _by_place(field: Ring[E], c: Constants[E], place: Place[E, R], u: list[E], j: list[E]) -> None:
     """Use that X² − tr(u)·X + N(u) is integral without a root in the residue ring, and N(j) has odd
     valuation.
 
     Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
     """
-    name, odd = place.name, field.inverse(place.odd)
+    name, odd = place.name, field.need_inverse(place.odd)
 
-    def paired(p: list[Hashable], q: list[Hashable]) -> Hashable:
+    def paired(p: list[E], q: list[E]) -> E:
         both = norm(field, c, [field.add(x, y) for x, y in zip(p, q, strict=True)])
         return field.add(both, field.neg(field.add(norm(field, c, p), norm(field, c, q))))
 
@@ -140,11 +133,11 @@ def _by_place(
         reject(f"the traces of j and of its product with u are not divisible by {name}")
 
 
-def norm(field: Ring, c: Constants, q: list[Hashable]) -> Hashable:
+def norm(field: Ring[E], c: Constants[E], q: list[E]) -> E:
     """Return n(w, x) − b·n(y, z), where n(u, v) = u² + t·uv − a·v²."""
     a, t, b = c
 
-    def binary(u: Hashable, v: Hashable) -> Hashable:
+    def binary(u: E, v: E) -> E:
         mixed = field.mul(u, field.add(u, field.mul(t, v)))
         return field.add(mixed, field.neg(field.mul(a, field.mul(v, v))))
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, ORDERED_FIELDS
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 
 WIDTH = {FIELD: 0, ORDERED_FIELDS: 1, FIELDS: 2, COMMUTATIVE_RINGS: 3}
 
@@ -23,7 +23,7 @@ class CheckResult:
     cites: tuple[str, ...] = ()
     vacuous: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()
-    rings: tuple[Ring, ...] = ()
+    rings: tuple[AnyRing, ...] = ()
 
     def within(self, scope: str) -> "CheckResult":
         """Return the same with no wider a scope than this."""

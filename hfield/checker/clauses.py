@@ -7,7 +7,7 @@ factors are the conditions under which the term is defined. Formulas are nested 
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Literal, TypeAlias
 
 from hfield.checker.budget import spend
 from hfield.checker.evaluate import Conditions, Evaluator, Quaternion
@@ -27,10 +27,11 @@ from hfield.checker.statement import Setting, Statement
 
 MAX_CLAUSES = 1_024
 
-Formula = tuple[Any, ...]
 Frozen = frozenset[tuple[Monomial, int]]  # a polynomial that can be compared and hashed
 Pieces = tuple[tuple[int, int], ...]  # factors of a denominator with their multiplicities
 Quotient = tuple[Poly, Pieces]
+LiteralFormula = tuple[Literal["zero", "nonzero"], frozenset[Frozen]]
+Formula: TypeAlias = "tuple[Literal['and', 'or'], tuple[Formula, ...]] | LiteralFormula"
 
 
 def freeze(f: Poly) -> Frozen:
@@ -78,7 +79,7 @@ class Fractions:
         """Return a polynomial as a scalar."""
         return (f, ())
 
-    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions[Quotient]]:
         """Return a literal."""
         if isinstance(value, int):
             return self.polynomial(constant(value)), ()
@@ -115,7 +116,7 @@ class Fractions:
             pieces[piece] = pieces.get(piece, 0) + n
         return self._made(top, tuple(sorted(pieces.items())))
 
-    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
+    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions[Quotient]]:
         """Return 1/x on the condition that its numerator is not 0."""
         top = x[0]
         if not top:
@@ -132,7 +133,9 @@ class Fractions:
             self.factors.append(top)
         return self._made(below, ((place, 1),)), (self.polynomial(top),)
 
-    def compare(self, differences: list[Quotient], conditions: Conditions, equal: bool) -> Formula:
+    def compare(
+        self, differences: list[Quotient], conditions: Conditions[Quotient], equal: bool
+    ) -> Formula:
         """Return "defined, and, being defined, (not) all numerators are 0"."""
         tops = [d[0] for d in differences]
         literal = self.literal(tops, equal)
@@ -146,7 +149,7 @@ class Fractions:
             return ("and" if zero else "or", ())
         return ("zero" if zero else "nonzero", self._literals.setdefault(polynomials, polynomials))
 
-    def join(self, kind: str, x: Formula, y: Formula) -> Formula:
+    def join(self, kind: Literal["and", "or"], x: Formula, y: Formula) -> Formula:
         """Return "x and y" or "x or y"."""
         return (kind, (x, y))
 
@@ -168,11 +171,10 @@ class Fractions:
 
 def deny(f: Formula) -> Formula:
     """Return the opposite formula."""
-    kind, parts = f
     spend(10)
-    if kind in ("zero", "nonzero"):
-        return ("nonzero" if kind == "zero" else "zero", parts)
-    return ("or" if kind == "and" else "and", tuple(deny(x) for x in parts))
+    if f[0] == "zero" or f[0] == "nonzero":
+        return ("nonzero" if f[0] == "zero" else "zero", f[1])
+    return ("or" if f[0] == "and" else "and", tuple(deny(x) for x in f[1]))
 
 
 def expand(statement: Statement, setting: Setting) -> Expansion:
@@ -184,7 +186,7 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     variables = [v for own in coordinates.values() for v in own]
     coordinates |= {tree: [tree] for tree in statement.constants}
     names, scalars = Names((*variables, *statement.constants)), Fractions()
-    values: dict[Tree, Any] = {}
+    values: dict[Tree, Quotient | Quaternion[Quotient]] = {}
     for tree, own in coordinates.items():
         found = [scalars.polynomial(names.variable(v)) for v in own]
         values[tree] = Quaternion(found) if len(found) == 4 else found[0]
@@ -198,14 +200,14 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
     return Expansion(names, len(variables), clauses, factors, conditions, evaluator)
 
 
-def _conjunction(f: Formula) -> list[frozenset[Formula]]:
+def _conjunction(f: Formula) -> list[frozenset[LiteralFormula]]:
     """Return the conjunctive normal form, tautologies left out."""
-    kind, parts = f
     spend(20)
-    if kind in ("zero", "nonzero"):
+    if f[0] == "zero" or f[0] == "nonzero":
         return [frozenset([f])]
-    out: list[frozenset[Formula]] = [] if kind == "and" else [frozenset()]
-    for part in parts:
+    kind = f[0]
+    out: list[frozenset[LiteralFormula]] = [] if kind == "and" else [frozenset()]
+    for part in f[1]:
         right = _conjunction(part)
         size = len(out) + len(right) if kind == "and" else len(out) * len(right)
         spend(20 * size)
@@ -219,7 +221,7 @@ def _conjunction(f: Formula) -> list[frozenset[Formula]]:
     return [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
 
 
-def _clause(literals: frozenset[Formula]) -> Clause:
+def _clause(literals: frozenset[LiteralFormula]) -> Clause:
     zeros = frozenset(f for kind, fs in literals if kind == "nonzero" for f in fs)
     return Clause(zeros, frozenset(fs for kind, fs in literals if kind == "zero"))
 

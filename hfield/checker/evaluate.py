@@ -6,18 +6,17 @@ j² = b, ij = k and ji = t·j − k alone.
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Generic, Literal, Protocol, TypeVar
 
 from hfield.checker.budget import spend
 from hfield.checker.language import FUNCTIONS, Tree
 from hfield.checker.rejection import reject
+from hfield.checker.scalars.place import E
 from hfield.checker.scalars.ring import MAX_EXPONENT, Ring, power
-
-Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
-
 
 S = TypeVar("S")  # what stands for a scalar
 T = TypeVar("T")  # what stands for a truth
+Conditions = tuple[S, ...]  # what must not be 0 for a term to be defined
 
 
 class Scalars(Protocol[S, T]):
@@ -26,7 +25,7 @@ class Scalars(Protocol[S, T]):
     zero: S
     one: S
 
-    def number(self, value: int | Fraction) -> tuple[S, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[S, Conditions[S]]:
         """Return the value of a literal."""
 
     def add(self, x: S, y: S) -> S:
@@ -38,20 +37,20 @@ class Scalars(Protocol[S, T]):
     def mul(self, x: S, y: S) -> S:
         """Return x·y."""
 
-    def reciprocal(self, x: S) -> tuple[S, Conditions]:
+    def reciprocal(self, x: S) -> tuple[S, Conditions[S]]:
         """Return 1/x with the condition that there is one."""
 
-    def compare(self, differences: list[S], conditions: Conditions, equal: bool) -> T:
+    def compare(self, differences: list[S], conditions: Conditions[S], equal: bool) -> T:
         """Return the truth of "defined, and all (not all) differences are 0"."""
 
-    def join(self, kind: str, x: T, y: T) -> T:
+    def join(self, kind: Literal["and", "or"], x: T, y: T) -> T:
         """Return the truth of "x and y" or "x or y"."""
 
     def deny(self, x: T) -> T:
         """Return the truth of "not x"."""
 
 
-class Quaternion(tuple[Any, ...]):
+class Quaternion(tuple[S, ...]):
     """Four coordinates over (e, i, j, k); scalars are anything else."""
 
     __slots__ = ()
@@ -76,22 +75,24 @@ class Evaluator(Generic[S, T]):
         self,
         scalars: Scalars[S, T],
         constants: tuple[Tree, Tree, Tree],
-        values: Mapping[Tree, S | Quaternion],
+        values: Mapping[Tree, S | Quaternion[S]],
     ):
         s = self.s = scalars
         self.values = values
-        self.needed: Conditions = ()  # by the terms evaluated last
+        self.needed: Conditions[S] = ()  # by the terms evaluated last
         self.constants = a, t, b = [self._scalar(self.value(tree)) for tree in constants]
-        self.conditions: Conditions = self.needed  # under which the algebra exists
+        self.conditions: Conditions[S] = self.needed  # under which the algebra exists
         self.table = products(s.one, a, t, b, s.mul(a, b), s.mul(t, b), s.neg)
         self.t = t
 
-    def quaternion(self, x: S | Quaternion) -> Quaternion:
+    def quaternion(self, x: S | Quaternion[S]) -> Quaternion[S]:
         """Return a scalar as its multiple of e."""
         zero = self.s.zero
         return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
 
-    def product(self, x: Quaternion, y: Quaternion, wanted: range = range(4)) -> Quaternion:
+    def product(
+        self, x: Quaternion[S], y: Quaternion[S], wanted: range = range(4)
+    ) -> Quaternion[S]:
         """Return x·y; only the wanted coordinates are computed, the others are 0."""
         s = self.s
         spend(20)
@@ -108,18 +109,17 @@ class Evaluator(Generic[S, T]):
                     out[place] = s.add(out[place], uv if c == s.one else s.mul(c, uv))
         return Quaternion(out)
 
-    def conjugate(self, q: Quaternion) -> Quaternion:
+    def conjugate(self, q: Quaternion[S]) -> Quaternion[S]:
         """Return the standard involution: i ↦ t − i, j ↦ −j, k ↦ −k."""
         s = self.s
         w, x, y, z = q
         return Quaternion((s.add(w, s.mul(self.t, x)), s.neg(x), s.neg(y), s.neg(z)))
 
-    def norm(self, q: Quaternion) -> S:
+    def norm(self, q: Quaternion[S]) -> S:
         """Return the coefficient of e in q·conj(q), which is all there is of it."""
-        n: S = self.product(q, self.conjugate(q), range(1))[0]
-        return n
+        return self.product(q, self.conjugate(q), range(1))[0]
 
-    def value(self, tree: Tree) -> S | Quaternion:
+    def value(self, tree: Tree) -> S | Quaternion[S]:
         """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
         kind, s = tree[0], self.s
         spend(10)
@@ -156,16 +156,15 @@ class Evaluator(Generic[S, T]):
         reject("a term cannot be evaluated")
 
     @staticmethod
-    def _scalar(x: S | Quaternion) -> S:
+    def _scalar(x: S | Quaternion[S]) -> S:
         if isinstance(x, Quaternion):
             reject("a quaternion stands where a scalar is meant")
         return x
 
-    def _coordinate(self, x: S | Quaternion, n: int) -> S:
-        c: S = self.quaternion(x)[n]
-        return c
+    def _coordinate(self, x: S | Quaternion[S], n: int) -> S:
+        return self.quaternion(x)[n]
 
-    def _defined(self, found: tuple[S, Conditions]) -> S:
+    def _defined(self, found: tuple[S, Conditions[S]]) -> S:
         if found[1]:
             spend(1 + len(self.needed) // 16)
             self.needed += found[1]
@@ -194,20 +193,20 @@ class Evaluator(Generic[S, T]):
         forth = s.join("or", s.deny(left), right)
         return forth if kind == "=>" else s.join("and", forth, s.join("or", left, s.deny(right)))
 
-    def _name(self, name: str) -> Quaternion:
+    def _name(self, name: str) -> Quaternion[S]:
         place = "eijk".find(name)
         if place < 0 or len(name) != 1:
             reject(f"the unknown {name!r} has no value")
         return Quaternion([self.s.one if n == place else self.s.zero for n in range(4)])
 
-    def _plus(self, x: S | Quaternion, y: S | Quaternion, sign: str) -> S | Quaternion:
+    def _plus(self, x: S | Quaternion[S], y: S | Quaternion[S], sign: str) -> S | Quaternion[S]:
         s = self.s
         if not (isinstance(x, Quaternion) or isinstance(y, Quaternion)):
             return s.add(x, s.neg(y) if sign == "-" else y)
         pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
         return Quaternion([s.add(u, s.neg(v) if sign == "-" else v) for u, v in pairs])
 
-    def _times(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
+    def _times(self, x: S | Quaternion[S], y: S | Quaternion[S]) -> S | Quaternion[S]:
         s = self.s
         if isinstance(x, Quaternion):
             if isinstance(y, Quaternion):
@@ -217,21 +216,21 @@ class Evaluator(Generic[S, T]):
             return Quaternion([s.mul(x, v) for v in y])
         return s.mul(x, y)
 
-    def _traced(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
+    def _traced(self, x: S | Quaternion[S], y: S | Quaternion[S]) -> S | Quaternion[S]:
         """Return x·y as far as its trace depends on it."""
         if isinstance(x, Quaternion) and isinstance(y, Quaternion):
             return self.product(x, y, range(1 if self.t == self.s.zero else 2))
         return self._times(x, y)
 
-    def _power(self, x: S | Quaternion, n: int) -> S | Quaternion:
+    def _power(self, x: S | Quaternion[S], n: int) -> S | Quaternion[S]:
         return power(self.s.one, x, n, self._times)
 
-    def _inverse(self, x: S | Quaternion) -> S | Quaternion:
+    def _inverse(self, x: S | Quaternion[S]) -> S | Quaternion[S]:
         if not isinstance(x, Quaternion):
             return self._defined(self.s.reciprocal(x))
         return self._times(self.conjugate(x), self._defined(self.s.reciprocal(self.norm(x))))
 
-    def _call(self, function: str, *arguments: S | Quaternion) -> S | Quaternion:
+    def _call(self, function: str, *arguments: S | Quaternion[S]) -> S | Quaternion[S]:
         x, s = self.quaternion(arguments[0]), self.s
         if function == "inv":
             return self._inverse(x)
@@ -249,28 +248,28 @@ class Evaluator(Generic[S, T]):
         return self._coordinate(x, 0)
 
 
-class RingScalars:
-    """Elements of a ring; a condition is ``None``: there is no inverse."""
+class RingScalars(Generic[E]):
+    """Elements of a ring; the one condition is that 0 is a unit: there is no inverse."""
 
-    def __init__(self, ring: Ring) -> None:
+    def __init__(self, ring: Ring[E]) -> None:
         self.ring, self.zero, self.one = ring, ring.zero, ring.one
         self.add, self.neg, self.mul = ring.add, ring.neg, ring.mul
 
-    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[E, Conditions[E]]:
         """Return the value of a literal."""
         x = self.ring.fraction(value)
-        return (self.zero, (None,)) if x is None else (x, ())
+        return (self.zero, (self.zero,)) if x is None else (x, ())
 
-    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+    def reciprocal(self, x: E) -> tuple[E, Conditions[E]]:
         """Return 1/x."""
         y = self.ring.inverse(x)
-        return (self.zero, (None,)) if y is None else (y, ())
+        return (self.zero, (self.zero,)) if y is None else (y, ())
 
-    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> bool:
+    def compare(self, differences: list[E], conditions: Conditions[E], equal: bool) -> bool:
         """Compare."""
         return not conditions and all(map(self.ring.is_zero, differences)) == equal
 
-    def join(self, kind: str, x: bool, y: bool) -> bool:
+    def join(self, kind: Literal["and", "or"], x: bool, y: bool) -> bool:
         """Return "x and y" or "x or y"."""
         return (x and y) if kind == "and" else (x or y)
 

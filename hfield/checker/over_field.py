@@ -2,7 +2,6 @@
 
 from collections.abc import Hashable
 from math import gcd
-from typing import Any
 
 from hfield.checker.budget import spend, spend_products
 from hfield.checker.clauses import Clause, Expansion, Frozen, expand
@@ -18,21 +17,22 @@ from hfield.checker.polynomials import (
     width,
 )
 from hfield.checker.rejection import reject
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.statement import Setting, Statement
 
 
 class EvaluationContext:
     """A ring, or all fields of a characteristic (``p`` 0: of all characteristics at once)."""
 
-    def __init__(self, expansion: Expansion, ring: Ring | None, p: int = 0) -> None:
+    def __init__(self, expansion: Expansion, ring: AnyRing | None, p: int = 0) -> None:
         self.expansion, self.ring = expansion, ring
         self.p = ring.characteristic if ring is not None else p
         self._known: dict[Frozen, bool] = {}
-        self._values: dict[int, Any] = {}
+        self._values: dict[int, Hashable] = {}
         if ring is not None:
-            trees = enumerate(expansion.names.trees)
-            self._values = {n: ring.constant(tree) for n, tree in trees if n >= expansion.unknowns}
+            first = expansion.unknowns
+            values = ring.named_elements(expansion.names.trees[first:])
+            self._values = dict(enumerate(values.values(), first))
 
     def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Hashable]:
         """Return the coefficients that are not 0, by the monomials in the unknowns.
@@ -44,7 +44,7 @@ class EvaluationContext:
         if ring is None:
             return dict(f)
         q = ring.order if functions and ring.is_field else None
-        out: dict[Monomial, Any] = {}
+        out: dict[Monomial, Hashable] = {}
         for m, c in f.items():
             value, unknowns = ring.number(c), list[tuple[int, int]]()
             for v, e in m:

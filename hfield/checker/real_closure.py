@@ -8,18 +8,18 @@ only if every square is 0; and a rational number is a square in all real closed 
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.glossary import FIELD, ORDERED_FIELDS
 from hfield.checker.language import ORDER, Tree
 from hfield.checker.rejection import reject
-from hfield.checker.scalars.ring import Ring
-from hfield.checker.scalars.surds import Reals
+from hfield.checker.scalars.ring import AnyRing
+from hfield.checker.scalars.surds import Reals, Surd
 from hfield.checker.statement import Setting, Statement
 from hfield.checker.values import read_values
 from hfield.checker.words import ARGUMENTS
 
+Value = Surd | Quaternion[Surd]
 REALS = Reals()
 KINDS = ("identity", "implication", "unsatisfiable", "witness")
 EVALUATION_COST = 400  # of evaluating a statement once
@@ -70,23 +70,23 @@ def _names(tree: Tree) -> set[str]:
     return out
 
 
-def is_false_at(statement: Statement, setting: Setting, ring: Ring, values: object) -> bool:
+def is_false_at(statement: Statement, setting: Setting, ring: AnyRing, values: object) -> bool:
     """Return whether a statement is false for values that are elements of a ring, read as real numbers
     too.
     """
     assert statement.ordered is not None
     read_values(ring, values, _unknowns(statement))
     found = read_values(REALS, values, _unknowns(statement))
-    known: dict[Tree, Any] = {tree: REALS.constant(tree) for tree in statement.constants}
+    known: dict[Tree, Value] = {**REALS.named_elements(statement.constants)}
     known.update((("name", name), value) for name, value in found.items())
     world = _InOrder(setting.constants, known)
     return not world.conditions and not world.truth(statement.ordered)
 
 
-class _InOrder(Evaluator[Any, bool]):
+class _InOrder(Evaluator[Surd, bool]):
     """Evaluates statements with all words of the language at real numbers."""
 
-    def __init__(self, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Any]) -> None:
+    def __init__(self, constants: tuple[Tree, Tree, Tree], values: Mapping[Tree, Value]) -> None:
         super().__init__(RingScalars(REALS), constants, values)
 
     def truth(self, tree: Tree) -> bool:
@@ -100,7 +100,7 @@ class _InOrder(Evaluator[Any, bool]):
         sign = REALS.sign(REALS.add(x, REALS.neg(y))) or 0
         return {">=": sign >= 0, ">": sign > 0, "<=": sign <= 0, "<": sign < 0}[tree[0]]
 
-    def value(self, tree: Tree) -> Any:
+    def value(self, tree: Tree) -> Value:
         """Return the value of a term."""
         if tree[0] != "call" or tree[1] not in ARGUMENTS:
             return super().value(tree)
@@ -114,7 +114,7 @@ class _InOrder(Evaluator[Any, bool]):
         product = self.product(x, y)
         return REALS.neg(product[0]) if tree[1] == "dot" else Quaternion((zero, *product[1:]))
 
-    def _modulus(self, norm: Any) -> Any:
+    def _modulus(self, norm: Surd) -> Surd:
         """Return the root of a rational number that is not negative."""
         if any(key for key, _ in norm) or REALS.sign(norm) == -1:
             reject("the modulus of a witness is not a square root of a rational number")

@@ -4,12 +4,10 @@ Each is verified, before any step uses it. docs/explanation/trust.md has the pro
 """
 
 from collections.abc import Hashable, Mapping
-from typing import Any
 
 from hfield.checker.anisotropy import anisotropic
 from hfield.checker.clauses import Expansion, Formula, Fractions, Quotient
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.checker.language import Tree
 from hfield.checker.over_field import EvaluationContext
 from hfield.checker.polynomials import (
     Names,
@@ -29,7 +27,7 @@ from hfield.checker.rejection import (
     reject,
     texts,
 )
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.statement import Setting, read_setting
 
 MAX_DEGREE = 64
@@ -67,7 +65,7 @@ class Rules:
             else:
                 reject("a fact is of no known form, or stands there twice")
 
-    def _norm(self, fact: Mapping[str, object], ring: Ring) -> None:
+    def _norm(self, fact: Mapping[str, object], ring: AnyRing) -> None:
         """The norm form of an algebra over the field, that of the statement or one that is named."""
         setting, name = self.setting, ""
         if "algebra" in fact:
@@ -75,10 +73,7 @@ class Rules:
             setting = read_setting(name, ring)
         if name in self.norms:
             reject("a fact stands there twice")
-        known: dict[Tree, Any] = {
-            tree: ring.constant(tree)
-            for tree in self.expansion.names.trees[self.expansion.unknowns :]
-        }
+        known = ring.named_elements(self.expansion.names.trees[self.expansion.unknowns :])
         here = Evaluator(RingScalars(ring), setting.constants, known)
         if here.conditions or setting.letters:
             reject("the structure constants of a fact are not known")
@@ -88,7 +83,7 @@ class Rules:
         general = self.expansion.evaluator
         self.norms[name] = Evaluator(general.s, setting.constants, general.values)
 
-    def _squares(self, raw: object, ring: Ring) -> None:
+    def _squares(self, raw: object, ring: AnyRing) -> None:
         """Σ c·X² is 0 only at 0, for at most ``most`` terms; with any c > 0 if ``positive``, else c = 1."""
         fact = an_object(raw, "form by most positive", "a fact")
         positive = fact["positive"]
@@ -152,7 +147,7 @@ class Rules:
             reject("the degree of a polynomial without roots is too large")
         self._need_rootless([self._value(parts.get(k, {})) for k in range(max(parts) + 1)])
 
-    def _value(self, f: Poly) -> Any:
+    def _value(self, f: Poly) -> Hashable:
         """Return the element of the field that a polynomial in its constants is."""
         found = self.context.coefficients(f, False)
         if not set(found) <= {()} or self.setting.field is None:

@@ -11,7 +11,7 @@ from hfield.checker.budget import spend
 from hfield.checker.language import FUNCTIONS, Tree, parse, split, substitute, walk
 from hfield.checker.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.checker.rejection import reject, shown
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.tables import Table, in_coordinates, is_table, read_table
 from hfield.checker.words import has_order_words, without_words
 
@@ -30,12 +30,12 @@ class Setting:
     constants are then those of H, and ``algebra`` is that text, since coordinates are scalars.
     """
 
-    field: Ring | None
+    field: AnyRing | None
     constants: tuple[Tree, Tree, Tree]  # a, t, b
     letters: tuple[str, ...]
     algebra: str
     moved: bool = False
-    named: tuple[Ring, ...] = ()
+    named: tuple[AnyRing, ...] = ()
     table: Table | None = None
 
     def with_letters(self, values: dict[str, Tree]) -> "Setting":
@@ -47,7 +47,7 @@ class Setting:
 HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
 
 
-def read_any_setting(algebra: str, ring: Ring | None) -> Setting:
+def read_any_setting(algebra: str, ring: AnyRing | None) -> Setting:
     """Read a quaternion algebra, or an algebra by its table."""
     if not is_table(algebra):
         return read_setting(algebra, ring)
@@ -55,7 +55,7 @@ def read_any_setting(algebra: str, ring: Ring | None) -> Setting:
     return Setting(ring, HAMILTON, (), f"(-1,-1|{table.ring.name})", table=table)
 
 
-def read_setting(algebra: str, ring: Ring | None) -> Setting:
+def read_setting(algebra: str, ring: AnyRing | None) -> Setting:
     """Read ``(a,b|F)``, ``[a,b|F)`` (t = 1) or ``[a,b,t|F)``, where F is the name of the ring."""
     name = "F" if ring is None else ring.name
     if algebra[:1] not in ("(", "[") or not algebra.endswith(f"|{name})"):
@@ -71,7 +71,7 @@ def read_setting(algebra: str, ring: Ring | None) -> Setting:
     return Setting(ring, (trees[0], trees[1], trees[2]), tuple(letters), algebra)
 
 
-def _letters(tree: Tree, field: Ring | None) -> list[str]:
+def _letters(tree: Tree, field: AnyRing | None) -> list[str]:
     nodes = walk(tree)
     if len(nodes) > MAX_CONSTANT_SIZE:
         reject("a structure constant is too large")

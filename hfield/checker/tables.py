@@ -14,7 +14,7 @@ from hfield.checker.budget import spend
 from hfield.checker.language import WORDS, Tree, parse, split, walk
 from hfield.checker.matrices import ENTRIES, MAKERS, MATRICES
 from hfield.checker.rejection import reject, shown
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.words import ARGUMENTS
 
 LETTERS = "pqruvw"
@@ -35,7 +35,7 @@ Value = Any  # Tree for a scalar, Vector for an element
 class Table:
     """The products of basis vectors, as coordinates; ``one`` is the unit or None."""
 
-    ring: Ring
+    ring: AnyRing
     names: tuple[str, ...]
     products: tuple[tuple[tuple[Tree, ...], ...], ...]
     one: tuple[Tree, ...] | None
@@ -46,7 +46,7 @@ def is_table(algebra: str) -> bool:
     return algebra.startswith("table(")
 
 
-def read_table(algebra: str, ring: Ring | None) -> Table:
+def read_table(algebra: str, ring: AnyRing | None) -> Table:
     """Read an algebra by its table, over a ring that is named; the unit has to be one."""
     if ring is None or not algebra.endswith(f"|{ring.name})"):
         reject(f"the table {shown(algebra)!r} names another ring than the data")
@@ -98,7 +98,7 @@ def _check_unit(table: Table) -> None:
 class _Linear:
     """Reads combinations of basis vectors."""
 
-    def __init__(self, ring: Ring, names: tuple[str, ...]) -> None:
+    def __init__(self, ring: AnyRing, names: tuple[str, ...]) -> None:
         self.ring, self.names = ring, names
 
     def read(self, text: str) -> Vector:

@@ -1,26 +1,24 @@
 """Read the values of unknowns in a certificate."""
 
-from collections.abc import Hashable
-from typing import Any
-
 from hfield.checker.evaluate import Quaternion
 from hfield.checker.language import Tree, parse
 from hfield.checker.rejection import an_object, reject, texts
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.ring import AnyRing, Ring
 
 Unknowns = tuple[tuple[str, str], ...]
 
 
-def read_values(ring: Ring, values: object, unknowns: Unknowns) -> dict[str, Hashable]:
+def read_values(ring: Ring[E], values: object, unknowns: Unknowns) -> dict[str, E | Quaternion[E]]:
     """Read the coordinates of unknowns, for exactly those unknowns."""
-    out: dict[str, Any] = {}
+    out: dict[str, E | Quaternion[E]] = {}
     for name, entries in _texts(values, unknowns).items():
         found = [ring.read(text) for text in entries]
         out[name] = Quaternion(found) if len(found) == 4 else found[0]
     return out
 
 
-def trees_of_values(ring: Ring, values: object, unknowns: Unknowns) -> dict[str, Tree]:
+def trees_of_values(ring: AnyRing, values: object, unknowns: Unknowns) -> dict[str, Tree]:
     """Return the values as terms, c₀·e + c₁·i + c₂·j + c₃·k or a scalar."""
     read_values(ring, values, unknowns)
     out: dict[str, Tree] = {}

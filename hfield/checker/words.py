@@ -12,7 +12,7 @@ from hfield.checker.budget import spend
 from hfield.checker.language import ORDER, Tree, walk
 from hfield.checker.matrices import ENTRIES
 from hfield.checker.rejection import reject, shown
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 
 ARGUMENTS = {"dot": 2, "cross": 2, "abs": 1}
 
@@ -23,7 +23,7 @@ def has_order_words(tree: Tree) -> bool:
 
 
 def without_words(
-    tree: Tree, field: Ring | None, hamilton: bool, is_scalar: Callable[[Tree], bool]
+    tree: Tree, field: AnyRing | None, hamilton: bool, is_scalar: Callable[[Tree], bool]
 ) -> Tree:
     """Return a statement that says the same without these words, over the real closure of the field.
 

@@ -177,7 +177,7 @@ def test_what_is_forged_is_rejected(algebra: str, field: str, reason: Any, why: 
 
 def test_constants_that_are_not_known() -> None:
     for algebra, field, said in (
-        ("(a,b|QQ)", "QQ", "the structure constants are not known"),
+        ("(a,b|QQ)", "QQ", "'a' names no element of QQ"),
         ("(1/0,-1|QQ)", "QQ", "the structure constants are not defined"),
         ("(-1,-1|F)", "QQ", "the algebra '(-1,-1|F)' is none over QQ, as (-1,-1|QQ) is"),
     ):

@@ -3,7 +3,6 @@
 from collections.abc import Hashable, Iterator, Mapping
 from functools import partial
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
@@ -14,28 +13,35 @@ from hfield.checker.language import Tree
 from hfield.checker.over_field import EvaluationContext
 from hfield.checker.polynomials import ONE, Monomial, variables, width
 from hfield.checker.rejection import an_integer, an_object, reject
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.ring import AnyRing, Ring
 from hfield.checker.statement import Setting, Statement
 
 MAX_REPEATED_CASES = 5_000
 COST = 200  # the cost of evaluating a statement once
 MAX_ORDER = 5_000
 
-Coefficients = dict[Monomial, Any]
+Coefficients = dict[Monomial, Hashable]
 Case = tuple[list[Coefficients], list[list[Coefficients]]]
 
 
 def evaluator_at(
-    ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
-) -> Evaluator[Hashable, bool]:
+    ring: Ring[E],
+    setting: Setting,
+    statement: Statement,
+    values: Mapping[str, E | Quaternion[E]],
+) -> Evaluator[E, bool]:
     """Return the evaluator with values for unknowns."""
-    known: dict[Tree, Any] = {tree: ring.constant(tree) for tree in statement.constants}
+    known: dict[Tree, E | Quaternion[E]] = {**ring.named_elements(statement.constants)}
     known.update((("name", name), value) for name, value in values.items())
     return Evaluator(RingScalars(ring), setting.constants, known)
 
 
 def truth_at(
-    ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
+    ring: Ring[E],
+    setting: Setting,
+    statement: Statement,
+    values: Mapping[str, E | Quaternion[E]],
 ) -> bool | None:
     """Return whether the statement is true there; None where the algebra does not exist."""
     spend(COST)
@@ -91,7 +97,7 @@ def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
         reject("the structure constants of the algebra are defined nowhere")
 
 
-def _finite(setting: Setting) -> tuple[Ring, int]:
+def _finite(setting: Setting) -> tuple[AnyRing, int]:
     ring = setting.field
     if ring is None or ring.order is None:
         reject("all cases can be tried over a finite ring only")
@@ -100,11 +106,14 @@ def _finite(setting: Setting) -> tuple[Ring, int]:
     return ring, ring.order
 
 
-def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[str, Hashable]]:
+def places(
+    ring: Ring[E], unknowns: tuple[tuple[str, str], ...]
+) -> Iterator[dict[str, E | Quaternion[E]]]:
     """Yield all values of the unknowns."""
     elements = list(ring.elements())
     for values in product(elements, repeat=coordinates(unknowns)):
-        rest, out = iter(values), {}
+        rest = iter(values)
+        out: dict[str, E | Quaternion[E]] = {}
         for name, sort in unknowns:
             out[name] = next(rest) if sort == "s" else Quaternion([next(rest) for _ in range(4)])
         yield out
@@ -113,7 +122,7 @@ def places(ring: Ring, unknowns: tuple[tuple[str, str], ...]) -> Iterator[dict[s
 class _Tree:
     """A search tree over the values of the coordinates, pruned where all clauses are decided."""
 
-    def __init__(self, expansion: Expansion, ring: Ring) -> None:
+    def __init__(self, expansion: Expansion, ring: AnyRing) -> None:
         self.ring = ring
         context = EvaluationContext(expansion, ring)
         context.need_algebra()

@@ -1,7 +1,7 @@
 """Check evidence for and against "exists": terms, cases with terms, refutations."""
 
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from hfield.checker.check_result import CheckResult, together
 from hfield.checker.evidence import prove
@@ -110,7 +110,7 @@ def place(statement: Statement, setting: Setting, evidence: object) -> CheckResu
 
 def _somewhere(
     statement: Statement, setting: Setting, evidence: object, keys: str
-) -> tuple[Setting, Any]:
+) -> tuple[Setting, Mapping[str, object]]:
     """Return the setting over one field: that of the certificate, or that which the evidence names."""
     if setting.field is not None:
         return setting, an_object(evidence, keys, "the evidence")

@@ -2,15 +2,14 @@
 
 from collections.abc import Mapping
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend, spend_products
 from hfield.checker.check_result import CheckResult
-from hfield.checker.clauses import Clause, Expansion, freeze, without_factors
+from hfield.checker.clauses import Clause, Expansion, Frozen, freeze, without_factors
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
 from hfield.checker.ideal_membership import VerifiedItem
 from hfield.checker.over_field import EvaluationContext, evaluation_context, reach
-from hfield.checker.polynomials import is_constant
+from hfield.checker.polynomials import Poly, is_constant
 from hfield.checker.rejection import a_list, an_object, reject
 from hfield.checker.rules import Rules
 from hfield.checker.scalars.finite import is_prime
@@ -75,11 +74,11 @@ def _covers(
     single = {f for goal in clause.goals if len(goal) == 1 for f in goal}
     known = [f for f in expansion.factors if freeze(f) in single]
 
-    def same(f: Any) -> Any:
+    def same(f: Frozen | Poly) -> Frozen:
         return context.same(without_factors(dict(f), known))
 
     spend(len(items))
-    zeros: set[Any] = {same(z) for z in clause.zeros} | {frozenset()}
+    zeros: set[Frozen] = {same(z) for z in clause.zeros} | {frozenset()}
     usable = [item for item in items if all(same(z) in zeros for z in item.zero)]
     members = [item.member for item in usable if item.member is not None]
     if any(is_constant(f) and context.is_nonzero(freeze(f)) for f in members):

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
@@ -12,7 +11,9 @@ from hfield.checker.glossary import COMMUTATIVE_RINGS, MULTILINEAR
 from hfield.checker.language import Tree
 from hfield.checker.over_field import reach
 from hfield.checker.rejection import a_list, an_integer, an_object, reject, texts
+from hfield.checker.scalars.place import E
 from hfield.checker.scalars.rationals import ZZ
+from hfield.checker.scalars.ring import Ring
 from hfield.checker.statement import Setting, Statement
 
 MAX_TUPLES = 4**6
@@ -29,8 +30,21 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
         reject("the unknowns are not those of the statement")
     if not all(_degrees(side, names) <= {(1,) * len(names)} for side in tree[1:]):
         reject("a side of the equation is not linear in each unknown")
-    ring = setting.field or ZZ
-    listed: dict[str, list[Any]] = {}
+    if setting.field is None:
+        _check_tuples(statement, setting, ZZ, names, data)
+    else:
+        _check_tuples(statement, setting, setting.field, names, data)
+
+
+def _check_tuples(
+    statement: Statement,
+    setting: Setting,
+    ring: Ring[E],
+    names: list[str],
+    data: Mapping[str, object],
+) -> None:
+    """Check the values of both sides of the equation at all tuples of basis vectors, over a ring."""
+    listed: dict[str, list[E]] = {}
     for entry in a_list(data["tuples"], "tuples", 1):
         if not isinstance(entry, list) or len(entry) != 2 or not isinstance(entry[0], str):
             reject("an entry of 'tuples' is not a word with four coordinates")
@@ -49,7 +63,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
             for name, letter in zip(names, word, strict=True)
         }
         evaluator = evaluator_at(ring, setting, statement, values)
-        for side in tree[1:]:
+        for side in statement.conclusion[1:]:
             found = evaluator.quaternion(evaluator.value(side))  # nothing divides, so it is defined
             pairs = zip(found, listed[word], strict=True)
             if evaluator.conditions or not all(ring.equal(u, v) for u, v in pairs):

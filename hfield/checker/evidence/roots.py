@@ -1,7 +1,6 @@
 """Check that an equation in one unknown has a root in ℝ or ℂ, by a cited theorem."""
 
 from dataclasses import replace
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
@@ -66,7 +65,7 @@ def complex_root(statement: Statement, setting: Setting, evidence: object) -> Ch
 
 def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int, Poly]:
     """Return f − g by the powers of the one scalar that is sought; of positive degree in it."""
-    sorts: dict[str, Any] = dict(statement.unknowns)
+    sorts = dict(statement.unknowns)
     if setting.field is None or setting.field.name != name or statement.divides:
         reject(f"roots are found over {name}, where nothing divides")
     if (

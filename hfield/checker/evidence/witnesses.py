@@ -15,7 +15,7 @@ from hfield.checker.language import Tree
 from hfield.checker.real_closure import REALS, in_real_closure, is_false_at, names_of_unknowns
 from hfield.checker.rejection import an_object, reject
 from hfield.checker.scalars.fields import read_ring
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.statement import Setting, Statement
 from hfield.checker.values import read_values
 
@@ -95,7 +95,7 @@ def example(statement: Statement, setting: Setting, evidence: object) -> CheckRe
 
 def _witness(
     statement: Statement, setting: Setting, evidence: object
-) -> tuple[Ring, dict[str, Hashable]]:
+) -> tuple[AnyRing, dict[str, Hashable]]:
     """Return the ring of a witness and its values."""
     data = an_object(evidence, "kind values ring", "the evidence")
     ring = read_ring(data["ring"])

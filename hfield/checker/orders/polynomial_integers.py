@@ -24,7 +24,7 @@ class FiniteFieldPolynomial:
 
     __slots__ = ("base", "coefficients")
 
-    def __init__(self, base: Finite, coefficients: Sequence[Hashable]) -> None:
+    def __init__(self, base: Finite[Hashable], coefficients: Sequence[Hashable]) -> None:
         end = len(coefficients)
         while end and coefficients[end - 1] == base.zero:
             end -= 1
@@ -196,7 +196,7 @@ class PolynomialIntegers(RingOfIntegers):
         ):
             reject("lattices over polynomials are those of functions GF(q)(t) in one variable")
         self.n, self.functions = 1, field
-        self.base: Finite = field.base
+        self.base: Finite[Hashable] = field.base
         self.one: Row = (FiniteFieldPolynomial(self.base, [self.base.one]),)
         self.table: list[list[Row]] = [[self.one]]
 
@@ -231,7 +231,7 @@ class PolynomialIntegers(RingOfIntegers):
             spend(2 + bound)
             yield FiniteFieldPolynomial(self.base, coefficients)
 
-    def prime(self, text: str) -> tuple[FiniteFieldPolynomial, QuotientField]:
+    def prime(self, text: str) -> tuple[FiniteFieldPolynomial, QuotientField[Hashable]]:
         """Read a monic prime polynomial, and return it with its residue field."""
         den, (P,) = self.coordinates([self.functions.read(text)])
         if den.degree or P.degree < 1 or P.lead != self.base.one:

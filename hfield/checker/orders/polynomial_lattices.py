@@ -4,7 +4,7 @@ A basis b is reduced if the degree of N(Σ cₙ·bₙ) is always the largest of 
 coefficients prove this, and also that the algebra ramifies at infinity (docs/explanation/trust.md).
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -108,7 +108,8 @@ def with_trace_and_norm_of(order: PolynomialLattice, x: LatticeElement) -> list[
 
 
 def mass(
-    order: PolynomialLattice, primes: Sequence[tuple[FiniteFieldPolynomial, QuotientField]]
+    order: PolynomialLattice,
+    primes: Sequence[tuple[FiniteFieldPolynomial, QuotientField[Hashable]]],
 ) -> Fraction:
     """Return Σ 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes, by the formula that is cited.
 
@@ -132,7 +133,7 @@ def mass(
     return found
 
 
-def _eichler_symbol(order: PolynomialLattice, residues: QuotientField) -> int:
+def _eichler_symbol(order: PolynomialLattice, residues: QuotientField[Hashable]) -> int:
     """Return the Eichler symbol: that of the polynomial of some basis element with two roots, or 0."""
     den = order.den * order.algebra.scale
     for row, (norm,) in zip(order.rows, order.norms, strict=True):

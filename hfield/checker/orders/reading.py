@@ -5,7 +5,7 @@ prime ideals. Over function fields the evidence has the same notation as stateme
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -345,7 +345,7 @@ class OverPolynomials(Given):
         super().__init__(setting, self.polynomials, data)
 
     @cached_property
-    def primes(self) -> list[tuple[FiniteFieldPolynomial, QuotientField]]:
+    def primes(self) -> list[tuple[FiniteFieldPolynomial, QuotientField[Hashable]]]:
         """The primes that are given, with their residue fields."""
         return list(map(self.polynomials.prime, texts(self.data["primes"], "the primes")))
 

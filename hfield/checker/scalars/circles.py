@@ -4,24 +4,29 @@ Several angles, and variables besides, are functions over functions: one variabl
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from fractions import Fraction
-from typing import Any
 
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, a_text, an_integer, reject, shown
+from hfield.checker.scalars.functions import Fraction as Quotient
 from hfield.checker.scalars.functions import Functions, need_constants
 from hfield.checker.scalars.names import blackboard, plain, variables
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing
 
 MAX_ANGLES = 4
 MAX_MULTIPLE = 40
 
 
-class Circles(Functions):
+Element = Quotient[Hashable]
+
+
+class Circles(Functions[Hashable]):
     """The rational functions in ``names`` and in the tangents of the halves of t/n, for pairs (t, n)."""
 
-    def __init__(self, base: Ring, angles: list[tuple[str, int]], names: tuple[str, ...]) -> None:
+    def __init__(
+        self, base: AnyRing, angles: list[tuple[str, int]], names: tuple[str, ...]
+    ) -> None:
         tangents = [f"tan({_angle_text(t, 2 * n)})" for t, n in angles]
         field = base
         *first, last = (*names, *tangents)
@@ -34,13 +39,14 @@ class Circles(Functions):
         self.words = (
             f"rational functions in {', '.join(most)} and {end} over {blackboard(base.name)}"
         )
-        self.tangents: dict[str, Any] = {
+        variables = {
             t: super(Circles, self).constant(("name", name))
             for (t, _), name in zip(angles, tangents, strict=True)
         }
+        self.tangents = {t: x for t, x in variables.items() if x is not None}
         self.angles = dict(angles)
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Element | None:
         """Return a variable, or cos, sin or tan of a sum of multiples of angles and of right angles."""
         if tree[0] == "name":
             return super().constant(tree) if "tan(" not in tree[1] else None
@@ -59,16 +65,16 @@ class Circles(Functions):
         x, y = self._turned(counts)
         if double == 1:
             return self._quotient(y, x)
-        below = self.add(self.mul(x, x), self.mul(y, y))
-        cosine = self._quotient(self.add(self.mul(x, x), self.neg(self.mul(y, y))), below)
-        sine = self._quotient(self.mul(self.number(2), self.mul(x, y)), below)
+        scale = self.need_inverse(self.add(self.mul(x, x), self.mul(y, y)))
+        cosine = self.mul(self.add(self.mul(x, x), self.neg(self.mul(y, y))), scale)
+        sine = self.mul(self.mul(self.number(2), self.mul(x, y)), scale)
         for _ in range(int(turn) % 4):
             cosine, sine = self.neg(sine), cosine
         if tree[1] == "tan":
             return self._quotient(sine, cosine)
         return cosine if tree[1] == "cos" else sine
 
-    def _turned(self, counts: Mapping[str, Fraction]) -> tuple[Any, Any]:
+    def _turned(self, counts: Mapping[str, Fraction]) -> tuple[Element, Element]:
         """Return real and imaginary part of the product of (1 ± τ·I) to the powers in ``counts``."""
         x, y = self.one, self.zero
         for t, count in counts.items():
@@ -81,7 +87,7 @@ class Circles(Functions):
                 )
         return x, y
 
-    def _quotient(self, x: Any, y: Any) -> Any:
+    def _quotient(self, x: Element, y: Element) -> Element | None:
         below = self.inverse(y)
         return None if below is None else self.mul(x, below)
 
@@ -125,7 +131,7 @@ def _angle_text(t: str, parts: int) -> str:
     return t if parts == 1 else f"{t}/{parts}"
 
 
-def _circles(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _circles(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     own = plain(data, "base angles variables")
     base = ring(own["base"])
     need_constants(base)

@@ -7,7 +7,8 @@ An ordering or a level of the global field is none of the completion, so nothing
 the one ordering of the completion at a real place.
 """
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
+from typing import Generic
 
 from hfield.checker.language import Tree
 from hfield.checker.rejection import an_integer, an_object, keyed, reject, shown
@@ -15,56 +16,56 @@ from hfield.checker.scalars.finite import is_prime
 from hfield.checker.scalars.functions import Functions
 from hfield.checker.scalars.names import plain
 from hfield.checker.scalars.number_fields import NumberField
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import E, Place, R
 from hfield.checker.scalars.quadratic import Quadratic
 from hfield.checker.scalars.rationals import QQ
 from hfield.checker.scalars.residues import jacobi
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 
-class Completion(Ring):
+class Completion(Ring[E]):
     """The completion of a global field, of which only elements of the global field are named."""
 
     is_field = True
 
-    def __init__(self, base: Ring, at: str) -> None:
+    def __init__(self, base: Ring[E], at: str) -> None:
         self.base, self.words = base, f"the completion of {base.name} at {at}"
         self.characteristic = base.characteristic
         self.zero, self.one = base.zero, base.one
 
-    def number(self, n: int) -> Hashable:
+    def number(self, n: int) -> E:
         """Return n·1."""
         return self.base.number(n)
 
-    def add(self, x: Hashable, y: Hashable) -> Hashable:
+    def add(self, x: E, y: E) -> E:
         """Return x + y."""
         return self.base.add(x, y)
 
-    def neg(self, x: Hashable) -> Hashable:
+    def neg(self, x: E) -> E:
         """Return −x."""
         return self.base.neg(x)
 
-    def mul(self, x: Hashable, y: Hashable) -> Hashable:
+    def mul(self, x: E, y: E) -> E:
         """Return x·y."""
         return self.base.mul(x, y)
 
-    def inverse(self, x: Hashable) -> Hashable | None:
+    def inverse(self, x: E) -> E | None:
         """Return 1/x, None for 0."""
         return self.base.inverse(x)
 
-    def is_zero(self, x: Hashable) -> bool:
+    def is_zero(self, x: E) -> bool:
         """Return whether x is 0."""
         return self.base.is_zero(x)
 
-    def constant(self, tree: Tree) -> Hashable | None:
+    def constant(self, tree: Tree) -> E | None:
         """Return the meaning of a name or call in the global field; O(…) has none."""
         return self.base.constant(tree)
 
 
-class AtPrime(Completion):
+class AtPrime(Completion[E], Generic[E, R]):
     """The completion at a finite place."""
 
-    def __init__(self, base: Ring, place: Place) -> None:
+    def __init__(self, base: Ring[E], place: Place[E, R]) -> None:
         self.only, at = place, place.name
         super().__init__(base, "infinity" if at == "inf" else f"the place {at}")
         self.name = f"{base.name}_{at}"
@@ -74,43 +75,43 @@ class AtPrime(Completion):
             self.name = f"{base.base.name}({at})"
             self.words = f"the completion of {base.name} at {base.variable} = 0, the Laurent series"
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> Place[E, R]:
         """Return the one place."""
         found = self.base.place(data)
         if found.name != self.only.name:
             reject(f"{self.name} has one place, and {shown(found.name)} is not it")
         return self.only
 
-    def is_square(self, x: Hashable) -> bool:
+    def is_square(self, x: E) -> bool:
         """Prove that x is not a square: its valuation is odd, or its residue is not a square."""
-        over = self.only.residue(self.mul(x, self.base.inverse(self.only.odd)))
+        over = self.only.residue(self.mul(x, self.base.need_inverse(self.only.odd)))
         if over is not None and self.only.is_unit(over):
             return False
         unit = self.only.residue(x)
         if unit is not None and self.only.is_unit(unit):
             trace, size = (self.only.residue(y) for y in (self.zero, self.neg(x)))
-            if self.only.is_irreducible(trace, size):
+            if trace is not None and size is not None and self.only.is_irreducible(trace, size):
                 return False
         return super().is_square(x)
 
 
-class AtRealRoot(Completion):
+class AtRealRoot(Completion[E]):
     """The real numbers with an embedded number field, whose signs are those of one of its orderings."""
 
-    def __init__(self, base: Ring, name: str, which: str, number: int) -> None:
+    def __init__(self, base: Ring[E], name: str, which: str, number: int) -> None:
         super().__init__(base, f"the real place where {which}")
         self.name, self.number_of_signs = f"{base.name}_{name}", number
 
-    def sign(self, x: Hashable) -> int | None:
+    def sign(self, x: E) -> int | None:
         """Return the sign at the place."""
         return self.base.signs(x)[self.number_of_signs]
 
-    def is_square(self, x: Hashable) -> bool:
+    def is_square(self, x: E) -> bool:
         """Return whether x is not negative."""
         return self.is_zero(x) or self.sign(x) == 1
 
 
-def _completion(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _completion(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     base, place = ring(plain(data, "of place")["of"]), keyed(data["place"], "a place")
     if place.get("kind") == "real":
         return _real(
@@ -130,7 +131,7 @@ def _completion(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return AtPrime(base, base.place(place))
 
 
-def _real(base: Ring, number: int) -> AtRealRoot:
+def _real(base: AnyRing, number: int) -> AnyRing:
     """Return the completion at the real root of that number, ascending; of ℚ(√d) where √d is negative."""
     if isinstance(base, Quadratic) and base.d > 0 and number == 0:
         return AtRealRoot(base, "inf-", f"{base.gen} is negative", 1)

@@ -16,7 +16,7 @@ from hfield.checker.scalars import (
     rationals,
     surds,
 )
-from hfield.checker.scalars.ring import Kind, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind
 
 MAX_DATA = 20_000
 KINDS: dict[str, Kind] = {
@@ -33,7 +33,7 @@ KINDS: dict[str, Kind] = {
 }
 
 
-def read_ring(data: object) -> Ring:
+def read_ring(data: object) -> AnyRing:
     """Return the ring of some data."""
     try:
         text = json.dumps(data, sort_keys=True)
@@ -45,7 +45,7 @@ def read_ring(data: object) -> Ring:
 
 
 @Remembered
-def _read(text: str) -> Ring:
+def _read(text: str) -> AnyRing:
     data = keyed(json.loads(text), "the data of a ring")
     kind = a_text(data.get("kind"), "the kind of a ring")
     make = KINDS.get(kind)

@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend, spend_inverse, spend_products
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, reject, shown
 from hfield.checker.scalars.conway import CONWAY
 from hfield.checker.scalars.names import plain, polynomial_text
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_BITS = 512
 MAX_DEGREE = 64
@@ -44,12 +44,17 @@ def is_prime(n: int) -> bool:
     return True
 
 
-class Finite(Ring):
+class Finite(Ring[E]):
     """The common part of finite fields and ℤ/n."""
 
     order: int
+    degree = 1  # over GF(p)
 
-    def is_square(self, x: Any) -> bool:
+    def from_digits(self, digits: Sequence[int]) -> E:
+        """Return the element with these numbers from 0 to p − 1 as coefficients, as many as the degree."""
+        reject(f"elements of {self.name} are not read from coefficients")
+
+    def is_square(self, x: E) -> bool:
         """Return whether x is a square, by Euler's criterion; in characteristic 2 every element is one."""
         q = self.order
         if not self.is_field:
@@ -60,7 +65,7 @@ class Finite(Ring):
         """−1 is a sum of two squares, and of one unless q ≡ 3 modulo 4."""
         return bound < 1 or (self.is_field and bound == 1 and self.order % 4 == 3)
 
-    def is_irreducible(self, trace: Any, norm: Any) -> bool:
+    def is_irreducible(self, trace: E, norm: E) -> bool:
         """Return whether X² − trace·X + norm has no root in the field.
 
         In odd characteristic this holds when trace² − 4·norm is a nonsquare, in characteristic 2 when trace
@@ -70,7 +75,7 @@ class Finite(Ring):
             return self.has_no_root([norm, self.neg(trace), self.one])
         if self.is_zero(trace):
             return False
-        below = self.inverse(trace)
+        below = self.need_inverse(trace)
         term = self.mul(norm, self.mul(below, below))
         total = term
         for _ in range(self.order.bit_length() - 2):
@@ -79,7 +84,7 @@ class Finite(Ring):
         return self.equal(total, self.one)
 
 
-class Residues(Finite):
+class Residues(Finite[int]):
     """ℤ/n, which is the field GF(p) for a prime n."""
 
     def __init__(self, n: int, is_field: bool, name: str) -> None:
@@ -90,6 +95,10 @@ class Residues(Finite):
         )
         self.is_long = n.bit_length() > LONG_NUMBER_BITS
         self.zero, self.one = 0, 1 % n
+
+    def from_digits(self, digits: Sequence[int]) -> int:
+        """Return the only digit."""
+        return digits[0]
 
     def number(self, n: int) -> int:
         """Return n·1."""
@@ -131,7 +140,7 @@ class Residues(Finite):
 Digits = tuple[int, ...]
 
 
-class Extension(Finite):
+class Extension(Finite[Digits]):
     """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers from 0 to p − 1, low degree first, monic).
 
     The name leaves Conway's polynomial out. Above 4096, where that is not known here, a field without a
@@ -164,6 +173,10 @@ class Extension(Finite):
             self._tail = [-c % p for c in modulus[:-1]]
             if not self._irreducible():
                 reject(f"the modulus of {shown(self.name)} is reducible")
+
+    def from_digits(self, digits: Sequence[int]) -> Digits:
+        """Return the class of a polynomial in x, low degree first."""
+        return tuple(digits)
 
     def number(self, n: int) -> Digits:
         """Return n·1."""
@@ -212,10 +225,9 @@ class Extension(Finite):
             return None
         if not any(x[1:]):
             return self.number(pow(x[0], -1, self.characteristic))
-        found: Digits = self.power(x, self.characteristic**self.degree - 2)
-        return found
+        return self.power(x, self.characteristic**self.degree - 2)
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Digits | None:
         """Return the class of x for its name."""
         if tree != ("name", "x"):
             return None
@@ -262,12 +274,12 @@ def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     return f
 
 
-def _residues(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _residues(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     n = an_integer(plain(data, "modulus")["modulus"], "the modulus", 2)
     return Residues(n, n < PROVED_BELOW and is_prime(n), f"ZZ/{n}")
 
 
-def _galois_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _galois_field(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     """GF(p), or GF(pⁿ) with its modulus."""
     plain(data, "characteristic degree modulus")
     p = an_integer(data["characteristic"], "the characteristic", 2)

@@ -4,6 +4,7 @@ Over GF(q) its places are the prime polynomials, and infinity.
 """
 
 from collections.abc import Callable, Hashable, Mapping
+from typing import NoReturn
 
 from hfield.checker.budget import spend
 from hfield.checker.glossary import reads_like_a_constant
@@ -11,64 +12,64 @@ from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.finite import Finite
 from hfield.checker.scalars.names import blackboard, plain, polynomial_text, variables
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace, E
 from hfield.checker.scalars.polynomials import MAX_DEGREE, Poly, PolynomialRing, dense
 from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.residues import OverFiniteField
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
-Fraction = tuple[Poly, Poly]
+Fraction = tuple[Poly[E], Poly[E]]
 
 
-class Functions(Ring):
+class Functions(Ring[Fraction[E]]):
     """``base(variable)``, the rational functions in one variable over a field."""
 
     is_field = True
 
-    def __init__(self, base: Ring, variable: str) -> None:
+    def __init__(self, base: Ring[E], variable: str) -> None:
         self.base, self.variable = base, variable
         self.polynomials = PolynomialRing(base, (variable,))
         strange = reads_like_a_constant(variable)
         self.name = f"Frac({self.polynomials.name})" if strange else f"{base.name}({variable})"
         self.words = f"the rational functions in {variable} over {blackboard(base.name)}"
         self.characteristic = base.characteristic
-        self.zero: Fraction = ((), self.polynomials.one)
-        self.one: Fraction = (self.polynomials.one, self.polynomials.one)
+        self.zero: Fraction[E] = ((), self.polynomials.one)
+        self.one: Fraction[E] = (self.polynomials.one, self.polynomials.one)
 
-    def number(self, n: int) -> Fraction:
+    def number(self, n: int) -> Fraction[E]:
         """Return n·1."""
         return self._fraction(self.polynomials.number(n), self.polynomials.one)
 
-    def add(self, x: Fraction, y: Fraction) -> Fraction:
+    def add(self, x: Fraction[E], y: Fraction[E]) -> Fraction[E]:
         """Return x + y."""
         p = self.polynomials
         if x[1] == y[1]:
             return self._fraction(p.add(x[0], y[0]), x[1])
         return self._fraction(p.add(p.mul(x[0], y[1]), p.mul(y[0], x[1])), p.mul(x[1], y[1]))
 
-    def neg(self, x: Fraction) -> Fraction:
+    def neg(self, x: Fraction[E]) -> Fraction[E]:
         """Return −x."""
         return (self.polynomials.neg(x[0]), x[1])
 
-    def mul(self, x: Fraction, y: Fraction) -> Fraction:
+    def mul(self, x: Fraction[E], y: Fraction[E]) -> Fraction[E]:
         """Return x·y."""
         p = self.polynomials
         return self._fraction(p.mul(x[0], y[0]), p.mul(x[1], y[1]))
 
-    def inverse(self, x: Fraction) -> Fraction | None:
+    def inverse(self, x: Fraction[E]) -> Fraction[E] | None:
         """Return 1/x, None for 0."""
         return self._fraction(x[1], x[0]) if x[0] else None
 
-    def is_zero(self, x: Fraction) -> bool:
+    def is_zero(self, x: Fraction[E]) -> bool:
         """Return whether x is 0."""
         return not x[0]
 
-    def constant(self, tree: Tree) -> Fraction | None:
+    def constant(self, tree: Tree) -> Fraction[E] | None:
         """Return the variable, or a constant of the base."""
         x = self.polynomials.constant(tree)
         return None if x is None else (x, self.polynomials.one)
 
-    def sign(self, x: Fraction) -> int | None:
+    def sign(self, x: Fraction[E]) -> int | None:
         """Return the sign for large values of the variable, where the base is ordered."""
         if self.base.sign(self.base.one) is None:
             return None
@@ -77,7 +78,7 @@ class Functions(Ring):
         signs = [self.base.sign(part[-1][1]) for part in x]
         return None if None in signs else (signs[0] or 0) * (signs[1] or 0)
 
-    def signs(self, x: Fraction) -> tuple[int | None, ...]:
+    def signs(self, x: Fraction[E]) -> tuple[int | None, ...]:
         """Return the signs for large and for small values of the variable, positive and negative."""
         sign = self.sign(x)
         if sign is None or not x[0]:
@@ -90,7 +91,7 @@ class Functions(Ring):
             out += [plus, -plus if odd else plus]
         return tuple(out)
 
-    def is_square(self, x: Fraction) -> bool:
+    def is_square(self, x: Fraction[E]) -> bool:
         """Return whether f·g is a square for x = f/g: its leading coefficient is, and it has a root.
 
         In characteristic 2 it is not decided here.
@@ -108,10 +109,10 @@ class Functions(Ring):
         lead = f[(degree,)]
         if degree % 2 or not base.is_square(lead):
             return False
-        scale = base.inverse(lead)
+        scale = base.need_inverse(lead)
         monic = {m: base.mul(c, scale) for m, c in f.items()}
         half = degree // 2
-        below_two = base.inverse(base.number(2))
+        below_two = base.need_inverse(base.number(2))
         root = [base.zero] * half + [base.one]
         for n in range(half - 1, -1, -1):  # the coefficient of degree half + n tells root[n]
             total = monic.get((half + n,), base.zero)
@@ -125,13 +126,13 @@ class Functions(Ring):
         """Use the field F of constants: a constant that is a sum of squares in F(t) is one in F."""
         return self.base.level_above(bound)
 
-    def is_fraction_field_of(self, ring: Ring) -> bool:
+    def is_fraction_field_of(self, ring: AnyRing) -> bool:
         """Return whether these are the fractions of polynomials, over the same field or over ℤ."""
         if not isinstance(ring, PolynomialRing) or ring.names != (self.variable,):
             return False
         return self.base.name == ring.base.name or self.base.is_fraction_field_of(ring.base)
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> AnyPlace[Fraction[E]]:
         """Return a place of GF(q)(t), of the kind ``prime polynomial`` or ``infinity``."""
         kind = keyed(data, "a place").get("kind")
         if not isinstance(self.base, Finite) or kind not in ("prime polynomial", "infinity"):
@@ -142,17 +143,17 @@ class Functions(Ring):
         found = an_object(data, "kind coefficients", "a place")["coefficients"]
         return PrimePolynomial(self, self.base, a_list(found, "a prime polynomial", 2))
 
-    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
+    def at(self, point: str) -> tuple[Ring[E], Callable[[Fraction[E]], E]]:
         """Return F, and the value of a fraction at an element of F."""
         base, at = self.base, self.base.read(point)
 
-        def part(f: Poly) -> Hashable:
-            total: Hashable = base.zero
+        def part(f: Poly[E]) -> E:
+            total = base.zero
             for coefficient in reversed(dense(f, base)):
                 total = base.add(base.mul(total, at), coefficient)
             return total
 
-        def value(x: Fraction) -> Hashable:
+        def value(x: Fraction[E]) -> E:
             below = base.inverse(part(x[1]))
             if below is None:
                 reject(f"a constant has no value at {shown(point)}")
@@ -160,7 +161,7 @@ class Functions(Ring):
 
         return base, value
 
-    def _fraction(self, top: Poly, below: Poly) -> Fraction:
+    def _fraction(self, top: Poly[E], below: Poly[E]) -> Fraction[E]:
         """Divide by the greatest common divisor to keep sums small."""
         if not top:
             return self.zero
@@ -168,24 +169,22 @@ class Functions(Ring):
             return (self._scaled(top, below[0][1]), self.polynomials.one)
         divisor = self._gcd(dense(top, self.base), dense(below, self.base))
         f, g = (self.divided(dense(x, self.base), divisor)[0] for x in (top, below))
-        lead = self.base.inverse(g[-1])
+        lead = self.base.need_inverse(g[-1])
         return self._sparse(f, lead), self._sparse(g, lead)
 
-    def _scaled(self, f: Poly, c: Hashable) -> Poly:
-        inverse = self.base.inverse(c)
+    def _scaled(self, f: Poly[E], c: E) -> Poly[E]:
+        inverse = self.base.need_inverse(c)
         return tuple((m, self.base.mul(d, inverse)) for m, d in f)
 
-    def _sparse(self, f: list[Hashable], scale: Hashable) -> Poly:
+    def _sparse(self, f: list[E], scale: E) -> Poly[E]:
         return tuple(
             ((n,), self.base.mul(c, scale)) for n, c in enumerate(f) if not self.base.is_zero(c)
         )
 
-    def divided(
-        self, f: list[Hashable], g: list[Hashable]
-    ) -> tuple[list[Hashable], list[Hashable]]:
+    def divided(self, f: list[E], g: list[E]) -> tuple[list[E], list[E]]:
         """Return quotient and remainder; low degree first, no leading zeros."""
         b, f = self.base, list(f)
-        lead = b.inverse(g[-1])
+        lead = b.need_inverse(g[-1])
         quotient = [b.zero] * max(len(f) - len(g) + 1, 0)
         spend(len(f) + len(g))
         while len(f) >= len(g):
@@ -198,16 +197,16 @@ class Functions(Ring):
                 f.pop()
         return quotient, f
 
-    def _gcd(self, f: list[Hashable], g: list[Hashable]) -> list[Hashable]:
+    def _gcd(self, f: list[E], g: list[E]) -> list[E]:
         while g:
             f, g = g, self.divided(f, g)[1]
         return f
 
 
-class SeveralVariables(Functions):
+class SeveralVariables(Functions[Hashable]):
     """``base(names)``: functions over functions, one variable after the other."""
 
-    def __init__(self, base: Ring, names: tuple[str, ...]) -> None:
+    def __init__(self, base: AnyRing, names: tuple[str, ...]) -> None:
         *first, last = names
         field = base
         for name in first:
@@ -218,35 +217,35 @@ class SeveralVariables(Functions):
         self.name = f"Frac({base.name}[{listed}])" if strange else f"{base.name}({listed})"
         self.words = f"the rational functions in {', '.join(names)} over {blackboard(base.name)}"
 
-    def is_fraction_field_of(self, ring: Ring) -> bool:
+    def is_fraction_field_of(self, ring: AnyRing) -> bool:
         """Return whether these are the fractions of polynomials, over the same field or over ℤ."""
         if not isinstance(ring, PolynomialRing) or ring.names != self.names:
             return False
         below = self.constants
         return below.name == ring.base.name or below.is_fraction_field_of(ring.base)
 
-    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
+    def at(self, point: str) -> NoReturn:
         """Reject the point: functions of several variables are not evaluated."""
-        return Ring.at(self, point)
+        reject(f"the elements of {self.name} have no values at points here")
 
 
-class PrimePolynomial(OverFiniteField):
+class PrimePolynomial(OverFiniteField[Fraction[E], tuple[E, ...]]):
     """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide.
 
     P is monic, its coefficients low degree first: integers, or lists of them over GF(pⁿ), reduced.
     """
 
-    def __init__(self, field: Functions, base: Finite, coefficients: list[object]) -> None:
+    def __init__(self, field: Functions[E], base: Finite[E], coefficients: list[object]) -> None:
         self.base = base
         top, texts = zip(*(_coefficient(base, c) for c in coefficients), strict=True)
         if not base.equal(top[-1], base.one):
             reject("a prime polynomial is monic")
-        self.residues: QuotientField = QuotientField(base, top)
+        self.residues: QuotientField[E] = QuotientField(base, top)
         self.name = f"({polynomial_text(texts, field.variable)})"
         powers = tuple(((n,), c) for n, c in enumerate(top) if not base.is_zero(c))
-        self.odd: Fraction = (powers, field.polynomials.one)
+        self.odd: Fraction[E] = (powers, field.polynomials.one)
 
-    def residue(self, x: Fraction) -> Hashable | None:
+    def residue(self, x: Fraction[E]) -> tuple[E, ...] | None:
         """Return numerator over denominator modulo P."""
         k = self.residues
         top, below = (k.reduce(dense(part, self.base)) for part in x)
@@ -254,42 +253,42 @@ class PrimePolynomial(OverFiniteField):
         return None if inverse is None else k.mul(top, inverse)
 
 
-class Infinity(OverFiniteField):
+class Infinity(OverFiniteField[Fraction[E], E]):
     """GF(q)(t) at infinity: a fraction is integral if its degree is not positive."""
 
-    def __init__(self, field: Functions, base: Finite) -> None:
+    def __init__(self, field: Functions[E], base: Finite[E]) -> None:
         self.residues, self.base, self.name = base, base, "inf"
         one = field.polynomials.one
-        self.odd: Fraction = (one, (((1,), base.one),))
+        self.odd: Fraction[E] = (one, (((1,), base.one),))
 
-    def residue(self, x: Fraction) -> Hashable | None:
+    def residue(self, x: Fraction[E]) -> E | None:
         """Return the quotient of the coefficients at the degree of the denominator."""
         base = self.base
         top, below = (dense(part, base) for part in x)
         if len(top) > len(below):
             return None
-        residue: Hashable = base.zero
-        return residue if len(top) < len(below) else base.mul(top[-1], base.inverse(below[-1]))
+        residue = base.zero
+        return residue if len(top) < len(below) else base.mul(top[-1], base.need_inverse(below[-1]))
 
 
-def _coefficient(base: Finite, value: object) -> tuple[Hashable, str]:
+def _coefficient(base: Finite[E], value: object) -> tuple[E, str]:
     """Read an element of a finite field, an integer or a list of coefficients; return its text as well."""
-    p, degree = base.characteristic, getattr(base, "degree", 1)
+    p, degree = base.characteristic, base.degree
     digits = [value] if degree == 1 else a_list(value, "a coefficient")
     found = [an_integer(c, "a coefficient", 0) for c in digits]
     if len(found) != degree or max(found) >= p:
         reject(f"a coefficient in {base.name} has {degree} entries from 0 to {p - 1}")
-    return (found[0] if degree == 1 else tuple(found)), polynomial_text(found, "x")
+    return base.from_digits(found), polynomial_text(found, "x")
 
 
-def _functions(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _functions(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     base = ring(plain(data, "base variables")["base"])
     need_constants(base)
     names = variables(data["variables"], base)
     return Functions(base, names[0]) if len(names) == 1 else SeveralVariables(base, names)
 
 
-def need_constants(base: Ring) -> None:
+def need_constants(base: AnyRing) -> None:
     """Reject constants other than QQ, a number field or a finite field."""
     known = base.name == "QQ" or base.is_number_field or base.order is not None
     if not (known and base.is_field):

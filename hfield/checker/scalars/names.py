@@ -18,12 +18,12 @@ from hfield.checker.rejection import (
     reject,
     shown,
 )
-from hfield.checker.scalars.ring import Kind, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind
 
 MAX_VARIABLES = 64
 
 
-def variables(value: object, base: Ring) -> tuple[str, ...]:
+def variables(value: object, base: AnyRing) -> tuple[str, ...]:
     """Read the names of variables, which must be distinct and not mean anything else."""
     found = [a_text(x, "a variable", 100) for x in a_list(value, "variables", 1)]
     for name in found:
@@ -60,10 +60,10 @@ def plain(data: Mapping[str, object], keys: str) -> Mapping[str, object]:
     return an_object(data, f"kind {keys}", "the data of a ring")
 
 
-def only(ring: Ring) -> Kind:
+def only(ring: AnyRing) -> Kind:
     """Return what reads the data of a ring which is the only one of its kind."""
 
-    def read(data: Mapping[str, object], _: object) -> Ring:
+    def read(data: Mapping[str, object], _: object) -> AnyRing:
         plain(data, "")
         return ring
 

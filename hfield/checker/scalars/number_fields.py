@@ -18,7 +18,6 @@ from anywhere; here they come from the iteration zₖ ↦ zₖ − wₖ.
 from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import Remembered, spend
 from hfield.checker.language import Tree
@@ -26,12 +25,12 @@ from hfield.checker.rejection import a_list, an_integer, reject, shown
 from hfield.checker.scalars.finite import gcd_modulo
 from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.names import a_rational, plain, polynomial_text, variables
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace
 from hfield.checker.scalars.prime_ideals import prime_ideal
 from hfield.checker.scalars.rationals import QQ, over_one_denominator, value_modulo
 from hfield.checker.scalars.real_roots import real_roots
 from hfield.checker.scalars.residues import modulo
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_DEGREE = 40
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -41,7 +40,7 @@ REFUTING_PRIMES = [p for p in range(3, 200) if all(p % d for d in range(2, p))]
 Element = tuple[Fraction, ...]  # as many as the degree: the coefficients of 1, s, s², …
 
 
-class NumberField(Ring):
+class NumberField(Ring[Element]):
     """``QQ[s]/(f)``, f monic, low degree first; ``tree`` and ``gen`` name the generator."""
 
     characteristic = 0
@@ -117,7 +116,7 @@ class NumberField(Ring):
             return (-self.modulus[0],)
         return (Fraction(0), Fraction(1), *self.zero[2:])
 
-    def constant(self, tree: Tree) -> Any:
+    def constant(self, tree: Tree) -> Element | None:
         """Return the generator."""
         return self.generator if tree == self.tree else None
 
@@ -187,7 +186,7 @@ class NumberField(Ring):
                     return True
         return False
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> AnyPlace[Element]:
         """Return a prime ideal: of 2 and s, say; or 7, where that stays prime."""
         return prime_ideal(self, data)
 
@@ -250,7 +249,7 @@ def twice_cosine(n: int) -> list[int]:
     return out
 
 
-def _number_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _number_field(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     plain(data, "modulus variable")
     f = [a_rational(c, "a coefficient") for c in a_list(data["modulus"], "a modulus", 2)]
     (letter,) = variables([data["variable"]], QQ)
@@ -260,7 +259,7 @@ def _number_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return NumberField(name, f, ("name", letter), letter)
 
 
-def _root_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _root_field(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     plain(data, "radicand order")
     radicand, n = a_rational(data["radicand"], "a radicand"), an_integer(data["order"], "an order")
     if not 3 <= n <= MAX_DEGREE:
@@ -274,7 +273,7 @@ def _root_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
     return NumberField(f"QQ({gen})", f, ("call", "root", (size, ("num", n))), gen)
 
 
-def _cyclotomic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _cyclotomic(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     """ℚ(ζₙ), or the field of ζₙ + ζₙ⁻¹, half as large; cyclotomic polynomials are irreducible (Gauss)."""
     n = an_integer(plain(data, "order")["order"], "an order", 3)
     if n > 10 * MAX_DEGREE:

@@ -2,26 +2,33 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Hashable
-from typing import Any
+from typing import Any, Generic, TypeAlias, TypeVar
+
+E = TypeVar("E", bound=Hashable)  # the elements of the field
+R = TypeVar("R", bound=Hashable)  # the residues
 
 
-class Place(ABC):
+class Place(ABC, Generic[E, R]):
     """A valuation of a field, and ``odd``, an element whose valuation is an odd number.
 
     ``name`` is canonical, but for ideals that another generator describes: a field has one place of a name.
     """
 
-    odd: Any
+    odd: E
     name: str
 
     @abstractmethod
-    def residue(self, x: Any) -> Hashable | None:
+    def residue(self, x: E) -> R | None:
         """Return the residue of an integral element; None for another."""
 
     @abstractmethod
-    def is_unit(self, residue: Any) -> bool:
+    def is_unit(self, residue: R) -> bool:
         """Return whether this is the residue of a unit."""
 
     @abstractmethod
-    def is_irreducible(self, trace: Any, norm: Any) -> bool:
+    def is_irreducible(self, trace: R, norm: R) -> bool:
         """Return whether X² − trace·X + norm has no root in the residue field."""
+
+
+AnyPlace: TypeAlias = Place[E, Any]
+"""A place that was read from data: of what type its residues are, only the place knows."""

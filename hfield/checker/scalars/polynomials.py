@@ -1,39 +1,39 @@
 """Polynomials over a domain, in one variable or several."""
 
 import re
-from collections.abc import Hashable, Mapping
-from typing import Any
+from collections.abc import Mapping
 
 from hfield.checker.budget import spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import reject, shown
 from hfield.checker.scalars.names import blackboard, plain, variables
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_TERMS = 4_000
 MAX_DEGREE = 2_000
 
-Poly = tuple[tuple[tuple[int, ...], Any], ...]  # exponents and nonzero coefficients, in order
+Poly = tuple[tuple[tuple[int, ...], E], ...]  # exponents and nonzero coefficients, in order
 
 
-class PolynomialRing(Ring):
+class PolynomialRing(Ring[Poly[E]]):
     """``base[names]``, the base being a domain."""
 
     is_integral = True
 
-    def __init__(self, base: Ring, names: tuple[str, ...]) -> None:
+    def __init__(self, base: Ring[E], names: tuple[str, ...]) -> None:
         self.base, self.names, self.name = base, names, f"{base.name}[{','.join(names)}]"
         self.words = f"the polynomials in {', '.join(names)} over {blackboard(base.name)}"
         self.characteristic = base.characteristic
         self.wide = 1 + len(names) // 10  # what the exponents of a monomial cost
-        self.zero: Poly = ()
-        self.one: Poly = self._constant(base.one)
+        self.zero: Poly[E] = ()
+        self.one: Poly[E] = self._constant(base.one)
 
-    def number(self, n: int) -> Poly:
+    def number(self, n: int) -> Poly[E]:
         """Return n·1."""
         return self._constant(self.base.number(n))
 
-    def add(self, x: Poly, y: Poly) -> Poly:
+    def add(self, x: Poly[E], y: Poly[E]) -> Poly[E]:
         """Return x + y."""
         spend(self.wide * (len(x) + 4 * len(y)))
         out = dict(x)
@@ -41,17 +41,17 @@ class PolynomialRing(Ring):
             out[m] = self.base.add(out[m], c) if m in out else c
         return self._poly(out)
 
-    def neg(self, x: Poly) -> Poly:
+    def neg(self, x: Poly[E]) -> Poly[E]:
         """Return −x."""
         spend(2 * len(x))
         return tuple((m, self.base.neg(c)) for m, c in x)
 
-    def mul(self, x: Poly, y: Poly) -> Poly:
+    def mul(self, x: Poly[E], y: Poly[E]) -> Poly[E]:
         """Return x·y."""
         if len(x) * len(y) > MAX_TERMS**2 // 16:
             reject(f"an element of {self.name} has grown too large")
         spend((4 + self.wide) * len(x) * len(y))
-        out: dict[tuple[int, ...], Any] = {}
+        out: dict[tuple[int, ...], E] = {}
         for m, c in x:
             for n, d in y:
                 key = tuple([a + b for a, b in zip(m, n, strict=True)])
@@ -59,14 +59,14 @@ class PolynomialRing(Ring):
                 out[key] = self.base.add(out[key], term) if key in out else term
         return self._poly(out)
 
-    def inverse(self, x: Poly) -> Poly | None:
+    def inverse(self, x: Poly[E]) -> Poly[E] | None:
         """Return 1/x for a constant unit (the base is a domain)."""
         if len(x) != 1 or any(x[0][0]):
             return None
         c = self.base.inverse(x[0][1])
         return None if c is None else self._constant(c)
 
-    def constant(self, tree: Tree) -> Poly | None:
+    def constant(self, tree: Tree) -> Poly[E] | None:
         """Return a variable, or a constant of the base."""
         spend(self.wide)
         if tree[0] == "name" and tree[1] in self.names:
@@ -75,10 +75,10 @@ class PolynomialRing(Ring):
         c = self.base.constant(tree)
         return None if c is None else self._constant(c)
 
-    def _constant(self, c: Hashable) -> Poly:
+    def _constant(self, c: E) -> Poly[E]:
         return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
 
-    def _poly(self, values: dict[tuple[int, ...], Hashable]) -> Poly:
+    def _poly(self, values: dict[tuple[int, ...], E]) -> Poly[E]:
         spend(len(values))
         out = tuple(sorted((m, c) for m, c in values.items() if not self.base.is_zero(c)))
         if len(out) > MAX_TERMS:
@@ -86,7 +86,7 @@ class PolynomialRing(Ring):
         return out
 
 
-def dense(f: Poly, base: Ring) -> list[Any]:
+def dense(f: Poly[E], base: Ring[E]) -> list[E]:
     """Return the coefficients of a polynomial in one variable, low degree first."""
     if not f:
         return []
@@ -99,7 +99,7 @@ def dense(f: Poly, base: Ring) -> list[Any]:
     return out
 
 
-def _polynomials(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _polynomials(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     base = ring(plain(data, "base variables")["base"])
     prime = base.is_field and base.order == base.characteristic
     if base.name not in ("ZZ", "QQ") and not (prime or base.is_number_field):

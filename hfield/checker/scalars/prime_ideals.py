@@ -8,17 +8,20 @@ P and lies in all other maximal ideals makes elements with denominators p integr
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Protocol
 
 from hfield.checker.budget import spend_products
 from hfield.checker.rejection import a_list, an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.finite import Residues, gcd_modulo, is_prime
 from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.names import a_rational, polynomial_text
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace
 from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import QQ, over_one_denominator
 from hfield.checker.scalars.residues import OverFiniteField, modulo
+
+Element = tuple[Fraction, ...]  # the coefficients of the powers of the generator
+Residue = tuple[int, ...]
 
 
 class Generated(Protocol):
@@ -34,11 +37,11 @@ class Generated(Protocol):
 class Field(Generated, Protocol):
     """The further operations of a number field."""
 
-    def mul(self, x: Any, y: Any) -> Any:
+    def mul(self, x: Element, y: Element, /) -> Element:
         """Return x·y."""
 
 
-class PrimeIdeal(OverFiniteField):
+class PrimeIdeal(OverFiniteField[Element, Residue]):
     """The ideal of p and g(s); ``g`` dense, low degree first, monic modulo p."""
 
     def __init__(self, field: Generated, p: int, g: list[int]) -> None:
@@ -47,7 +50,7 @@ class PrimeIdeal(OverFiniteField):
         self.field, self.p, self.name = field, p, f"({p})"
         f = [_modulo(c, p) for c in field.modulus]
         g = _monic(g, p)
-        self.residues: QuotientField = QuotientField(
+        self.residues: QuotientField[int] = QuotientField(
             Residues(p, True, f"GF({p})"), g
         )  # g is irreducible
         e, h = 0, f
@@ -76,10 +79,10 @@ class PrimeIdeal(OverFiniteField):
         rest = [_modulo(QQ.mul(c, below), self.p) for c in top]
         return any(rest) and len(gcd_modulo(list(g), rest, self.p)) == 1
 
-    def _element(self, f: list[int]) -> tuple[Fraction, ...]:
+    def _element(self, f: list[int]) -> Element:
         return (*map(Fraction, f), *[Fraction(0)] * (self.field.degree - len(f)))
 
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Sequence[Fraction]) -> Residue | None:
         """Return the class of x modulo P; None where x is not integral, or not seen to be.
 
         x is a/pᵏ, where a matters modulo p^(k+1); it is multiplied by what is 1 modulo P and in the other
@@ -102,7 +105,7 @@ class PrimeIdeal(OverFiniteField):
         return None
 
 
-def prime_ideal(field: Field, data: object) -> Place:
+def prime_ideal(field: Field, data: object) -> AnyPlace[Element]:
     """Return the ideal of p and an ``element``, of p alone (null), or as another generator has it."""
     keys = {"prime ideal": "p element", "other generator": "p polynomial generator"}
     kind = keyed(data, "a place").get("kind")
@@ -126,7 +129,7 @@ def prime_ideal(field: Field, data: object) -> Place:
     return ideal
 
 
-def _element(field: Generated, value: object) -> tuple[Fraction, ...]:
+def _element(field: Generated, value: object) -> Element:
     """Read an element as the coefficients of the powers of the generator."""
     found = [a_rational(c, "a coefficient") for c in a_list(value, "an element")]
     if len(found) != field.degree:
@@ -137,7 +140,7 @@ def _element(field: Generated, value: object) -> tuple[Fraction, ...]:
 class Regenerated:
     """The same field with another generator θ: its polynomial, and coordinates in powers of θ."""
 
-    def __init__(self, field: Field, theta: Any) -> None:
+    def __init__(self, field: Field, theta: Element) -> None:
         self.degree = n = field.degree
         self.name, self.gen = f"{field.name} by another generator", "θ"
         powers = [(Fraction(1), *[Fraction(0)] * (n - 1))]
@@ -151,16 +154,16 @@ class Regenerated:
         self.modulus = [*(-c for c in self.inside(powers[n])), Fraction(1)]
         self.scale = over_one_denominator(self.modulus)[1]
 
-    def inside(self, x: Any) -> list[Fraction]:
+    def inside(self, x: Sequence[Fraction]) -> list[Fraction]:
         """Return the coordinates in powers of θ."""
         return _combination(x, self.inverse)
 
-    def outside(self, x: Any) -> tuple[Fraction, ...]:
+    def outside(self, x: Element) -> Element:
         """Return the element with those coordinates."""
         return tuple(_combination(x, self.rows))
 
 
-class Translated(OverFiniteField):
+class Translated(OverFiniteField[Element, Residue]):
     """A prime ideal in terms of another generator."""
 
     def __init__(self, field: Regenerated, ideal: PrimeIdeal) -> None:
@@ -168,12 +171,12 @@ class Translated(OverFiniteField):
         self.name = f"({ideal.p}, an element)"
         self.odd = field.outside(ideal.odd)
 
-    def residue(self, x: Any) -> Any:
+    def residue(self, x: Element) -> Residue | None:
         """Return the class of x; None where x is not integral, or not seen to be."""
         return self.ideal.residue(self.field.inside(x))
 
 
-def _combination(x: Any, rows: Any) -> list[Fraction]:
+def _combination(x: Sequence[Fraction], rows: Sequence[Sequence[Fraction]]) -> list[Fraction]:
     """Return the sum of the rows, each times an entry of x."""
     out = [Fraction(0)] * len(rows)
     for a, row in zip(x, rows, strict=True):

@@ -1,6 +1,6 @@
 """ℚ(√d): sums of two square roots, 1 and √d; its squares, its level, its prime ideals."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
 from math import gcd
@@ -8,7 +8,7 @@ from math import gcd
 from hfield.checker.budget import spend
 from hfield.checker.rejection import an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.names import plain
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace, Place
 from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import QQ, root
 from hfield.checker.scalars.residues import (
@@ -19,7 +19,7 @@ from hfield.checker.scalars.residues import (
     modulo,
     two_or_odd,
 )
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing
 from hfield.checker.scalars.surds import Radical, Surd, Surds, radical, root_text
 
 MAX_POWER = 1_000  # of n in a denominator
@@ -38,7 +38,7 @@ class Quadratic(Surds):
         if scale != 1 or self.root == ():
             reject(f"{self.name}: expected the root of a squarefree number other than 1")
 
-    def is_fraction_field_of(self, ring: Ring) -> bool:
+    def is_fraction_field_of(self, ring: AnyRing) -> bool:
         """Return whether this is ℚ(I), and the ring ℤ[I]."""
         return self.d == -1 and ring.name == "ZZ[I]"
 
@@ -72,7 +72,7 @@ class Quadratic(Surds):
             return self.d != -1
         return bound <= 3 and self.d % 8 == 1 and _odd_squares_modulo_8()
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> AnyPlace[Surd]:
         """Return a place of the kind ``number``, or ``split``, where √d is the ``root`` modulo n."""
         kind = keyed(data, "a place").get("kind")
         if kind == "split":
@@ -108,7 +108,7 @@ def _pair_of_integers(x: Surd) -> tuple[Fraction, Fraction]:
     return u - v, 2 * v
 
 
-class RamifiedIdeal(ModuloNumber):
+class RamifiedIdeal(ModuloNumber[Surd]):
     """ℚ(√d) at a divisor n of d, or at 2 for d ≢ 1 modulo 4: integral are u + v·√d with u, v integral at n.
 
     √d ≡ d modulo the prime, and √d − (d mod n) has the norm (d mod n)² − d, which every prime in n divides
@@ -127,7 +127,7 @@ class RamifiedIdeal(ModuloNumber):
         return None if u is None or v is None else (u + v * self.root) % self.n
 
 
-class SplitIdeal(ModuloNumber):
+class SplitIdeal(ModuloNumber[Surd]):
     """ℚ(√d) where √d is r modulo n (modulo 4 for n = 2): r is prime to n, so primes in n split.
 
     At such a prime p the completion is ℚ_p, with the root of d that begins with r.
@@ -173,7 +173,7 @@ class SplitIdeal(ModuloNumber):
         return r
 
 
-class InertNumber(Place):
+class InertNumber(Place[Surd, tuple[int, int]]):
     """ℚ(√d) at an odd n prime to d; u + v·√d is integral if u and v are integral at n.
 
     Where p in n does not split, an element of GF(p²) is a square if its norm is one in GF(p); where p splits
@@ -202,20 +202,20 @@ class InertNumber(Place):
         return jacobi(self._norm(*discriminant), self.n) == -1
 
 
-class InertTwo(OverFiniteField):
+class InertTwo(OverFiniteField[Surd, tuple[int, ...]]):
     """ℚ(√d) at 2 for d ≡ 5 modulo 8, with residues in GF(4); for d ≡ 1 the polynomial of ω is reducible."""
 
     def __init__(self, field: Quadratic) -> None:
-        self.residues: QuotientField = QuotientField(GF2, [(1 - field.d) // 4 % 2, 1, 1])
+        self.residues: QuotientField[int] = QuotientField(GF2, [(1 - field.d) // 4 % 2, 1, 1])
         self.odd, self.name = field.number(2), "(2)"
 
-    def residue(self, x: Surd) -> Hashable | None:
+    def residue(self, x: Surd) -> tuple[int, ...] | None:
         """Return u + v·ω modulo 2."""
         u, v = (modulo(c, 2) for c in _pair_of_integers(x))
         return None if u is None or v is None else self.residues.reduce([u, v])
 
 
-def _quadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _quadratic(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     return Quadratic(an_integer(plain(data, "d")["d"], "the number under the root"))
 
 

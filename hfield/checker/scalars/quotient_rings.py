@@ -4,28 +4,32 @@ Elements are their coefficients, low degree first. The checker uses only that th
 quotient by an irreducible polynomial that is to be a field has another kind of data.
 """
 
-from collections.abc import Hashable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, a_text, reject, shown
 from hfield.checker.scalars.finite import Finite
 from hfield.checker.scalars.names import blackboard, plain, polynomial_text, variables
-from hfield.checker.scalars.rationals import QQ, Rationals
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.rationals import QQ, ZZ
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_DEGREE = 60
 
-Dense = tuple[Any, ...]  # as many coefficients as the degree of the modulus
+Dense = tuple[E, ...]  # as many coefficients as the degree of the modulus
 
 
-class QuotientRing(Ring):
-    """``base[variable]/(modulus)``, the modulus monic; ℤ[I] has a name of its own."""
+class QuotientRing(Ring[Dense[E]]):
+    """``base[variable]/(modulus)``, the modulus monic; ℤ[I] has a name of its own.
 
-    def __init__(self, base: Ring, modulus: list[Any], variable: str) -> None:
+    ``field`` are the fractions of the base, with values that are those of the base where they lie in it.
+    """
+
+    def __init__(self, base: Ring[E], field: Ring[E], modulus: list[E], variable: str) -> None:
         self.base, self.degree, self.variable = base, len(modulus) - 1, variable
+        self.field = field
         self.tail = [base.neg(c) for c in modulus[:-1]]
         texts = [str(c) for c in modulus]
         self.is_integral = variable == "I"
@@ -34,25 +38,25 @@ class QuotientRing(Ring):
         self.words = "ℤ[I]" if self.is_integral else blackboard(base.name) + inside
         self.characteristic = base.characteristic
         self.order = None if base.order is None else base.order**self.degree
-        self.zero: Dense = (base.zero,) * self.degree
-        self.one: Dense = (base.one, *self.zero[1:])
-        self.generator: Dense = (base.zero, base.one, *self.zero[2:])
+        self.zero: Dense[E] = (base.zero,) * self.degree
+        self.one: Dense[E] = (base.one, *self.zero[1:])
+        self.generator: Dense[E] = (base.zero, base.one, *self.zero[2:])
 
-    def number(self, n: int) -> Dense:
+    def number(self, n: int) -> Dense[E]:
         """Return n·1."""
         return (self.base.number(n), *self.zero[1:])
 
-    def add(self, x: Dense, y: Dense) -> Dense:
+    def add(self, x: Dense[E], y: Dense[E]) -> Dense[E]:
         """Return x + y."""
         spend(self.degree)
         return tuple([self.base.add(a, b) for a, b in zip(x, y, strict=True)])
 
-    def neg(self, x: Dense) -> Dense:
+    def neg(self, x: Dense[E]) -> Dense[E]:
         """Return −x."""
         spend(self.degree)
         return tuple([self.base.neg(a) for a in x])
 
-    def mul(self, x: Dense, y: Dense) -> Dense:
+    def mul(self, x: Dense[E], y: Dense[E]) -> Dense[E]:
         """Return x·y, where xⁿ is what the modulus says."""
         base, n = self.base, self.degree
         spend(5 * n * n)
@@ -68,33 +72,32 @@ class QuotientRing(Ring):
                     wide[k] = base.add(wide[k], base.mul(top, c))
         return tuple(wide)
 
-    def inverse(self, x: Dense) -> Dense | None:
+    def inverse(self, x: Dense[E]) -> Dense[E] | None:
         """Return the y with x·y = 1, by linear equations over the fractions of the base; None for no unit."""
         columns, power = [], x
         for _ in range(self.degree):
             columns.append(power)
             power = self.mul(power, self.generator)
-        field = QQ if isinstance(self.base, Rationals) else self.base
-        y = _solution(field, [list(row) for row in zip(*columns, strict=True)], list(self.one))
-        if y is None or (not self.base.is_field and any(c.denominator != 1 for c in y)):
+        y = _solution(self.field, [list(row) for row in zip(*columns, strict=True)], list(self.one))
+        if y is None or not all(map(self.base.contains, y)):
             return None
         return tuple(y)
 
-    def constant(self, tree: Tree) -> Dense | None:
+    def constant(self, tree: Tree) -> Dense[E] | None:
         """Return the class of the variable, or a constant of the base."""
         if tree == ("name", self.variable):
             return self.generator
         c = self.base.constant(tree)
         return None if c is None else (c, *self.zero[1:])
 
-    def elements(self) -> Iterator[Hashable]:
+    def elements(self) -> Iterator[Dense[E]]:
         """Yield all elements, over a finite field."""
         if self.order is None:
             return super().elements()
         return iter(product(list(self.base.elements()), repeat=self.degree))
 
 
-def _solution(field: Ring, rows: list[list[Any]], right: list[Any]) -> list[Any] | None:
+def _solution(field: Ring[E], rows: list[list[E]], right: list[E]) -> list[E] | None:
     """Return the y with rows·y = right; None where the square matrix is singular."""
     n = len(rows)
     spend(20 * n**3)
@@ -104,7 +107,7 @@ def _solution(field: Ring, rows: list[list[Any]], right: list[Any]) -> list[Any]
         if pivot is None:
             return None
         rows[column], rows[pivot] = rows[pivot], rows[column]
-        scale = field.inverse(rows[column][column])
+        scale = field.need_inverse(rows[column][column])
         rows[column] = [field.mul(scale, c) for c in rows[column]]
         for k in range(n):
             factor = rows[k][column]
@@ -114,7 +117,7 @@ def _solution(field: Ring, rows: list[list[Any]], right: list[Any]) -> list[Any]
     return [row[n] for row in rows]
 
 
-def _quotient_ring(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _quotient_ring(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     own = plain(data, "base modulus variable")
     base = ring(own["base"])
     prime = isinstance(base, Finite) and base.is_field and base.order == base.characteristic
@@ -133,7 +136,7 @@ def _quotient_ring(data: Mapping[str, object], ring: ReadRing) -> Ring:
         (name,) = variables([name], base)
     elif base.name != "ZZ" or texts != ["1", "0", "1"]:
         reject("I is the root of −1 in ZZ[I]")
-    return QuotientRing(base, modulus, str(name))
+    return QuotientRing(base, QQ if base is ZZ else base, modulus, str(name))
 
 
 KINDS: dict[str, Kind] = {"quotient ring": _quotient_ring}

@@ -9,14 +9,14 @@ from hfield.checker.budget import spend, spend_products
 from hfield.checker.rejection import an_object, keyed, reject
 from hfield.checker.scalars.finite import is_prime
 from hfield.checker.scalars.names import only
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace
 from hfield.checker.scalars.residues import ModuloNumber, modulo, two_or_odd
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing, Ring
 
 MAX_BITS = 100_000
 
 
-class Rationals(Ring):
+class Rationals(Ring[Fraction]):
     """ℚ, or ℤ, whose units are ±1."""
 
     characteristic = 0
@@ -66,18 +66,22 @@ class Rationals(Ring):
         """Prove it for the polynomial with integer coefficients."""
         return has_no_rational_root(over_one_denominator(c)[0])
 
-    def is_fraction_field_of(self, ring: Ring) -> bool:
+    def contains(self, x: Fraction) -> bool:
+        """Return whether x is an integer, for ℤ."""
+        return self.is_field or x.denominator == 1
+
+    def is_fraction_field_of(self, ring: AnyRing) -> bool:
         """Return whether this is ℚ, and the ring ℤ."""
         return self is QQ and ring is ZZ
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> AnyPlace[Fraction]:
         """Return a place of the kind ``number``."""
         if not self.is_field or keyed(data, "a place").get("kind") != "number":
             return super().place(data)
         return RationalPlace(two_or_odd(an_object(data, "kind n", "a place")["n"]))
 
 
-class RationalPlace(ModuloNumber):
+class RationalPlace(ModuloNumber[Fraction]):
     """ℚ at n: integral are the fractions whose denominator is prime to n."""
 
     def __init__(self, n: int) -> None:

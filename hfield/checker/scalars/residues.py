@@ -7,12 +7,11 @@ integral at n is integral there. To take for not integral what is so does no har
 
 from fractions import Fraction
 from math import gcd
-from typing import Any
 
 from hfield.checker.budget import spend, spend_inverse, spend_products
 from hfield.checker.rejection import an_integer, reject, shown
 from hfield.checker.scalars.finite import Finite, Residues
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import E, Place, R
 
 MAX_BITS = 3_300
 GF2 = Residues(2, True, "GF(2)")
@@ -50,7 +49,7 @@ def modulo(x: Fraction, n: int) -> int | None:
     return x.numerator * pow(x.denominator, -1, n) % n
 
 
-class ModuloNumber(Place):
+class ModuloNumber(Place[E, int]):
     """Residues are the integers modulo n."""
 
     n: int
@@ -66,15 +65,15 @@ class ModuloNumber(Place):
         return jacobi(trace * trace - 4 * norm, self.n) == -1
 
 
-class OverFiniteField(Place):
+class OverFiniteField(Place[E, R]):
     """Residues are the elements of a finite field."""
 
-    residues: Finite
+    residues: Finite[R]
 
-    def is_unit(self, residue: Any) -> bool:
+    def is_unit(self, residue: R) -> bool:
         """Return whether it is not 0."""
         return not self.residues.is_zero(residue)
 
-    def is_irreducible(self, trace: Any, norm: Any) -> bool:
+    def is_irreducible(self, trace: R, norm: R) -> bool:
         """Return whether it is irreducible over the residue field."""
         return self.residues.is_irreducible(trace, norm)

@@ -6,13 +6,13 @@ of their data; ``fields`` lists them. What a kind does not say of itself is not 
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 from hfield.checker.language import Tree, parse
 from hfield.checker.rejection import keyed, reject, shown
-from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.place import AnyPlace, E
 
 MAX_EXPONENT = 10_000
 
@@ -32,7 +32,7 @@ def power(one: T, x: T, n: int, times: Callable[[T, T], T]) -> T:
     return result
 
 
-class Ring(ABC):
+class Ring(ABC, Generic[E]):
     """A commutative ring. ``order`` is None if it is infinite.
 
     ``name`` is canonical: rings of one name are one ring. ``words`` say what the ring is.
@@ -47,28 +47,35 @@ class Ring(ABC):
     is_number_field: bool = False  # whether it is one that functions may be over
     is_exact: bool = True  # whether its arithmetic proves anything
     roots_by = "squares"  # shows that there are no roots: discriminants, or linear factors
-    zero: Any
-    one: Any
+    zero: E
+    one: E
 
     @abstractmethod
-    def number(self, n: int) -> Hashable:
+    def number(self, n: int) -> E:
         """Return n·1."""
 
     @abstractmethod
-    def add(self, x: Any, y: Any) -> Hashable:
+    def add(self, x: E, y: E) -> E:
         """Return x + y."""
 
     @abstractmethod
-    def neg(self, x: Any) -> Hashable:
+    def neg(self, x: E) -> E:
         """Return −x."""
 
     @abstractmethod
-    def mul(self, x: Any, y: Any) -> Hashable:
+    def mul(self, x: E, y: E) -> E:
         """Return x·y."""
 
     @abstractmethod
-    def inverse(self, x: Any) -> Hashable | None:
+    def inverse(self, x: E) -> E | None:
         """Return 1/x, or None if x is not a unit."""
+
+    def need_inverse(self, x: E) -> E:
+        """Return 1/x; rejects an element that is not a unit."""
+        found = self.inverse(x)
+        if found is None:
+            reject(f"an element of {self.name} has no inverse")
+        return found
 
     @property
     def is_domain(self) -> bool:
@@ -80,31 +87,41 @@ class Ring(ABC):
         """Whether ``sign`` is the sign in an ordering of the field."""
         return self.is_field and self.sign(self.one) == 1
 
-    def is_zero(self, x: Any) -> bool:
+    def is_zero(self, x: E) -> bool:
         """Return whether x is 0."""
         return bool(x == self.zero)
 
-    def constant(self, tree: Tree) -> Hashable | None:
+    def constant(self, tree: Tree) -> E | None:
         """Return the element that a name or a call names, None if it names none."""
         return None
 
-    def elements(self) -> Iterator[Hashable]:
+    def named_elements(self, trees: Iterable[Tree]) -> dict[Tree, E]:
+        """Return the elements that names and calls name; rejects one that names none."""
+        out = {}
+        for tree in trees:
+            x = self.constant(tree)
+            if x is None:
+                reject(f"{shown(tree[1])!r} names no element of {self.name}")
+            out[tree] = x
+        return out
+
+    def elements(self) -> Iterator[E]:
         """Yield all elements of a finite ring."""
         reject(f"{self.name} has infinitely many elements")
 
-    def sign(self, x: Any) -> int | None:
+    def sign(self, x: E) -> int | None:
         """Return the sign of x in an ordering of the field; None where there is none."""
         return None
 
-    def signs(self, x: Any) -> tuple[int | None, ...]:
+    def signs(self, x: E) -> tuple[int | None, ...]:
         """Return the signs of x in several orderings of the field."""
         return (self.sign(x),)
 
-    def is_square(self, x: Any) -> bool:
+    def is_square(self, x: E) -> bool:
         """Return whether x is a square; rejects where that is not decided here."""
         reject(f"squares in {self.name} are not decided here")
 
-    def has_no_root(self, c: list[Any]) -> bool:
+    def has_no_root(self, c: list[E]) -> bool:
         """Prove that Σ cₙ·xⁿ, of the degree len(c) − 1, has no root in the field; False says nothing."""
         if len(c) != 3 or self.characteristic == 2:
             return False
@@ -115,16 +132,20 @@ class Ring(ABC):
         """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing."""
         return bound < 1 or self.is_ordered
 
-    def place(self, data: object) -> Place:
+    def place(self, data: object) -> AnyPlace[E]:
         """Return the place of the field that the data say."""
         kind = keyed(data, "a place").get("kind")
         reject(f"no place of the kind {shown(kind)!r} is known of {self.name}")
 
-    def is_fraction_field_of(self, ring: "Ring") -> bool:
+    def is_fraction_field_of(self, ring: "AnyRing") -> bool:
         """Return whether this is the field of fractions of another ring."""
         return False
 
-    def at(self, point: str) -> "tuple[Ring, Callable[[Any], Any]]":
+    def contains(self, x: E) -> bool:
+        """Return whether x lies in the ring, where it is of the field of fractions with the same values."""
+        return True
+
+    def at(self, point: str) -> "tuple[AnyRing, Callable[[E], Hashable]]":
         """Return the field of values of functions at a point, and the evaluation map."""
         reject(f"the elements of {self.name} have no values at points here")
 
@@ -132,45 +153,44 @@ class Ring(ABC):
         """Return whether the classes modulo n of the ring are ℤ/n."""
         return False
 
-    def equal(self, x: Any, y: Any) -> bool:
+    def equal(self, x: E, y: E) -> bool:
         """Return whether x = y."""
         return self.is_zero(self.add(x, self.neg(y)))
 
-    def power(self, x: Any, n: int) -> Any:
+    def power(self, x: E, n: int) -> E:
         """Return xⁿ for n ≥ 0."""
         return power(self.one, x, n, self.mul)
 
-    def fraction(self, value: int | Fraction) -> Any:
+    def fraction(self, value: int | Fraction) -> E | None:
         """Return the value of a literal, None where its denominator is not a unit."""
         if isinstance(value, int):
             return self.number(value)
         below = self.inverse(self.number(value.denominator))
         return None if below is None else self.mul(self.number(value.numerator), below)
 
-    def read(self, text: str) -> Any:
+    def read(self, text: str) -> E:
         """Read an element from its text."""
         return self.value(parse(text), text)
 
-    def value(self, tree: Tree, text: str) -> Any:
+    def value(self, tree: Tree, text: str) -> E:
         """Evaluate a term that names an element."""
-        kind, result = tree[0], None
+        kind = tree[0]
+        result: E | None = None
         if kind == "num":
             result = self.fraction(tree[1])
         elif kind == "neg":
             result = self.neg(self.value(tree[1], text))
         elif kind in ("+", "-", "*", "/"):
             x, y = (self.value(t, text) for t in tree[1:])
-            if kind == "/":
-                y = self.inverse(y)
-            if y is not None:
-                y = self.neg(y) if kind == "-" else y
-                result = self.add(x, y) if kind in "+-" else self.mul(x, y)
+            second = self.inverse(y) if kind == "/" else self.neg(y) if kind == "-" else y
+            if second is not None:
+                result = self.add(x, second) if kind in "+-" else self.mul(x, second)
         elif kind == "pow":
             x = self.value(tree[1], text)
             if abs(tree[2]) > MAX_EXPONENT:
                 reject(f"the exponent in {shown(text)!r} is too large")
-            x = self.inverse(x) if tree[2] < 0 else x
-            result = None if x is None else self.power(x, abs(tree[2]))
+            base = self.inverse(x) if tree[2] < 0 else x
+            result = None if base is None else self.power(base, abs(tree[2]))
         elif kind in ("name", "call"):
             result = self.constant(tree)
         if result is None:
@@ -178,6 +198,9 @@ class Ring(ABC):
         return result
 
 
+AnyRing: TypeAlias = Ring[Any]
+"""A ring that was read from data: of what type its elements are, only the ring knows."""
+
 # Makes a ring of its data; given to each kind for the rings inside its own.
-ReadRing = Callable[[object], Ring]
-Kind = Callable[[Mapping[str, object], ReadRing], Ring]
+ReadRing = Callable[[object], AnyRing]
+Kind = Callable[[Mapping[str, object], ReadRing], AnyRing]

@@ -15,7 +15,7 @@ from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, reject, shown
 from hfield.checker.scalars.names import only, plain
 from hfield.checker.scalars.rationals import QQ
-from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_ROOT = 10**9  # square roots of larger numbers are not taken apart
 MAX_SUMMANDS = 32
@@ -25,7 +25,7 @@ Radical = tuple[int, ...]  # primes and −1, in order; () is 1
 Surd = tuple[tuple[Radical, Fraction], ...]
 
 
-class Surds(Ring):
+class Surds(Ring[Surd]):
     """A field of sums of square roots."""
 
     characteristic = 0
@@ -231,7 +231,7 @@ def _product(a: Radical, b: Radical) -> Radical:
     return tuple(sorted({*a} ^ {*b}))
 
 
-def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
+def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
     numbers = [
         an_integer(n, "a number under a root") for n in a_list(plain(data, "d")["d"], "d", 2)
     ]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from itertools import product
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from hfield.checker.anisotropy import anisotropic
 from hfield.checker.budget import spend
@@ -38,7 +38,8 @@ from hfield.checker.rejection import (
     shown,
     texts,
 )
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.place import E
+from hfield.checker.scalars.ring import AnyRing, Ring
 from hfield.checker.statement import HAMILTON, QUATERNIONS, Setting, read_statement
 
 CLOSED = {"RR": REAL_ROOTS, "CC": COMPLEX_ROOTS}
@@ -46,18 +47,18 @@ MAX_ROOTS = 8
 MAX_TRIED = 256  # the largest field whose pairs of roots are all multiplied
 
 
-def _field(setting: Setting) -> Ring:
+def _field(setting: Setting) -> AnyRing:
     field = setting.field
     if field is None or not field.is_field:
         reject("this speaks of one exact field at a time")
     return field
 
 
-def _evaluator(field: Ring) -> Evaluator[Any, bool]:
+def _evaluator(field: Ring[E]) -> Evaluator[E, bool]:
     return Evaluator(RingScalars(field), HAMILTON, {})
 
 
-def _quaternion(field: Ring, value: object) -> Quaternion:
+def _quaternion(field: Ring[E], value: object) -> Quaternion[E]:
     found = [field.read(text) for text in texts(value, "coordinates", 4)]
     if len(found) != 4:
         reject("a quaternion has four coordinates")
@@ -196,7 +197,7 @@ def modulus_law(
     _unfit(kind, verdict)
 
 
-def _try_squares(field: Ring) -> None:
+def _try_squares(field: Ring[E]) -> None:
     """Check over a finite field that the roots which are squares suffice and are closed under products."""
     spend(20 * (field.order or 0) ** 2)
     squares = {field.mul(x, x) for x in field.elements()}
@@ -207,14 +208,14 @@ def _try_squares(field: Ring) -> None:
             reject("the roots that are squares do not multiply to such roots")
 
 
-def _no_choice(field: Ring, operation: str, data: Mapping[str, object]) -> None:
+def _no_choice(field: Ring[E], operation: str, data: Mapping[str, object]) -> None:
     """Check that every choice of roots for the norms of some elements breaks the law."""
     evaluator = _evaluator(field)
     elements = [_quaternion(field, value) for value in a_list(data["elements"], "elements", 1)]
     roots = [field.read(text) for text in texts(data["roots"], "roots")]
     if len(roots) != len(elements) or len(roots) > MAX_ROOTS:
         reject("there is not one root for each element, or there are too many")
-    known: list[tuple[Any, Any]] = []
+    known: list[tuple[E, E]] = []
     for q, root in zip(elements, roots, strict=True):
         n = evaluator.norm(q)
         if not field.equal(field.mul(root, root), n):
@@ -222,7 +223,7 @@ def _no_choice(field: Ring, operation: str, data: Mapping[str, object]) -> None:
         if not any(field.equal(n, m) for m, _ in known):
             known.append((n, root))
 
-    def place(n: object) -> int | None:
+    def place(n: E) -> int | None:
         return next((k for k, (m, _) in enumerate(known) if field.equal(n, m)), None)
 
     for signs in product((1, -1), repeat=len(known)):

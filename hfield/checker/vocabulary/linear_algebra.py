@@ -109,7 +109,7 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obj
 def _commutators() -> Matrix:
     """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
     evaluator = Evaluator(RingScalars(ZZ), HAMILTON, {})
-    units = [evaluator.value(("name", u)) for u in "eijk"]
+    units = [evaluator.quaternion(evaluator.value(("name", u))) for u in "eijk"]
     rows = []
     for g in units[1:3]:
         pairs = [(evaluator.product(q, g), evaluator.product(g, q)) for q in units]

@@ -13,7 +13,6 @@ and those about orders, of :mod:`hfield.checker.orders.words`.
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 from hfield.checker.check_result import CheckResult, together
 from hfield.checker.evidence import establish
@@ -33,7 +32,7 @@ from hfield.checker.orders import words as orders
 from hfield.checker.orders.words import PARTS as ORDERS
 from hfield.checker.rejection import a_list, an_integer, an_object, kind_of, reject, shown
 from hfield.checker.scalars.fields import read_ring
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.scalars.surds import Reals
 from hfield.checker.statement import HAMILTON, UNKNOWNS, Setting, read_statement
 from hfield.checker.vocabulary import field_properties, linear_algebra
@@ -58,7 +57,7 @@ class VocabularyStatement:
     parts: tuple[str, ...]
 
 
-Check = Callable[[tuple[str, ...], Setting, str, Any], CheckResult]
+Check = Callable[[tuple[str, ...], Setting, str, object], CheckResult]
 VOCABULARIES = (field_properties, linear_algebra, class_groups, orders)
 """Of orders in any algebra; the others are about H(F)."""
 SPECIAL: dict[str, Check] = {
@@ -121,7 +120,7 @@ def proposition_tree(p: VocabularyStatement, depth: int = 0) -> Tree:
         return orders.order_meaning(p.word, p.parts)
     if p.word in SPECIAL:
         return (p.word, p.parts)
-    out: list[Any] = []
+    out: list[str | Tree] = []
     for part in p.parts:
         if p.word in NAMED and not out:  # the name in front
             out.append(part)
@@ -199,7 +198,7 @@ def _with_rings(
     return replace(setting, named=tuple(rings)), data["evidence"]
 
 
-def _named(name: str, setting: Setting) -> Ring:
+def _named(name: str, setting: Setting) -> AnyRing:
     found = next((x for x in setting.named if x.name == name), None)
     if found is None:
         reject(f"the evidence does not say which ring {shown(name)!r} is")

@@ -19,7 +19,7 @@ from hfield.checker.rejection import (
     shown,
 )
 from hfield.checker.scalars.finite import is_prime
-from hfield.checker.scalars.ring import Ring
+from hfield.checker.scalars.ring import AnyRing
 
 Words = dict[str, int]
 ONE: Words = {"": 1}
@@ -143,7 +143,7 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 
 
 def establish_presentation(
-    target: Presentation, ring: Ring | None, verdict: str, evidence: object
+    target: Presentation, ring: AnyRing | None, verdict: str, evidence: object
 ) -> CheckResult:
     """Check the evidence about a statement on associative algebras.
 
@@ -158,7 +158,7 @@ def establish_presentation(
     return found
 
 
-def _is_vacuous(target: Presentation, ring: Ring | None) -> bool:
+def _is_vacuous(target: Presentation, ring: AnyRing | None) -> bool:
     """Return whether a relation says that a unit is 0."""
     numbers = [f[""] for f in target.relations if set(f) == {""}]
     if ring is None:
@@ -167,7 +167,7 @@ def _is_vacuous(target: Presentation, ring: Ring | None) -> bool:
 
 
 def _established(
-    target: Presentation, ring: Ring | None, verdict: str, evidence: object
+    target: Presentation, ring: AnyRing | None, verdict: str, evidence: object
 ) -> CheckResult:
     kind = kind_of(evidence)
     own = {"presentation": "proofs", "algebra": "table goal value"}.get(kind)
@@ -194,7 +194,7 @@ def _established(
 
 
 def _proofs(
-    target: Presentation, ring: Ring | None, p: int, data: Mapping[str, object]
+    target: Presentation, ring: AnyRing | None, p: int, data: Mapping[str, object]
 ) -> CheckResult:
     if p and (ring is None or ring.characteristic != p):
         reject("the proof is valid in one characteristic only")
