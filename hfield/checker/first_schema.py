@@ -7,7 +7,6 @@ prover does, and what it writes is checked by the data alone.
 from collections.abc import Callable, Mapping
 from functools import cache
 from math import isqrt
-from typing import Any
 
 from hfield.checker.glossary import KEYS, SCHEMA
 from hfield.checker.rejection import a_text, an_object, reject, shown
@@ -18,8 +17,8 @@ FIRST_SCHEMA = "hfield-cert/1"
 MAX_DEPTH = 120
 HINT = "`hfield upgrade` writes it as data"
 
-ReadName = Callable[[str], Mapping[str, Any]]
-ReadPlace = Callable[[str, Mapping[str, Any] | None], Mapping[str, Any]]
+ReadName = Callable[[str], Mapping[str, object]]
+ReadPlace = Callable[[str, Mapping[str, object] | None], Mapping[str, object]]
 
 
 def current(data: object) -> object:
@@ -43,8 +42,8 @@ def upgraded(data: Mapping[str, object], ring: ReadName, place: ReadPlace) -> di
 
 
 def _with_data(
-    value: object, here: Mapping[str, Any] | None, ring: ReadName, place: ReadPlace, depth: int
-) -> Any:
+    value: object, here: Mapping[str, object] | None, ring: ReadName, place: ReadPlace, depth: int
+) -> object:
     """Replace names by data in some evidence about a ring."""
     if depth > MAX_DEPTH:
         reject("the evidence nests too deeply")
@@ -59,20 +58,21 @@ def _with_data(
     if value.get("by") == "place" and isinstance(value.get("place"), str):
         out["place"] = place(value["place"], here)
     if value.get("by") == "specialisation" and here is not None:
-        here = here.get("base")
+        base = here.get("base")
+        here = base if isinstance(base, Mapping) else None
     inside = {key: x for key, x in out.items() if isinstance(x, (dict, list))}
     inside = {key: x for key, x in inside.items() if key not in ("ring", "place")}
     return out | {key: _with_data(x, here, ring, place, depth + 1) for key, x in inside.items()}
 
 
-def spelled(name: str) -> Mapping[str, Any]:
+def spelled(name: str) -> Mapping[str, object]:
     """Return the data of a ring by its name in the table. Raises :class:`Rejected` for others."""
     if name not in _table():
         reject(f"{shown(name)!r} is no name that is read in a certificate {FIRST_SCHEMA}; {HINT}")
     return _table()[name]
 
 
-def spelled_place(name: str, ring: Mapping[str, Any] | None) -> Mapping[str, Any]:
+def spelled_place(name: str, ring: Mapping[str, object] | None) -> Mapping[str, object]:
     """Return the data of a place of ℚ, a number. Raises :class:`Rejected` for any other."""
     if ring != {"kind": "rationals"} or not (name.isascii() and name.isdigit() and len(name) < 20):
         reject(f"{shown(name)!r} is no place that is read in a certificate {FIRST_SCHEMA}; {HINT}")
@@ -80,9 +80,9 @@ def spelled_place(name: str, ring: Mapping[str, Any] | None) -> Mapping[str, Any
 
 
 @cache
-def _table() -> Mapping[str, Mapping[str, Any]]:
+def _table() -> Mapping[str, Mapping[str, object]]:
     """ℚ, ℤ, ℝ, ℂ, floats; ℤ/n, n ≤ 100; GF(q) and GF(q)(t), q ≤ 256; ℚ(x), ℚ(t); ℚ(√d), |d| ≤ 100."""
-    found: dict[str, Mapping[str, Any]] = {
+    found: dict[str, Mapping[str, object]] = {
         "QQ": {"kind": "rationals"},
         "ZZ": {"kind": "integers"},
         "RR": {"kind": "reals"},

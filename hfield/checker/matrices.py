@@ -1,10 +1,10 @@
 """Rewrite matrices in a statement as statements about their entries.
 
-A value is a tree, for a quaternion, or rows of trees, kept as ``{"rows": …}`` so as not to be taken for one.
+A value is a tree, for a quaternion, or a list of rows, for a matrix.
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import TypeAlias
 
 from hfield.checker.budget import spend
 from hfield.checker.language import ORDER, Tree, children, walk
@@ -14,7 +14,8 @@ MATRICES = ("L", "M", "N")
 ENTRIES = tuple(f"{name}{place}" for name in MATRICES for place in ("11", "12", "21", "22"))
 MAKERS = ("matrix", "row", "column", "transpose")
 MAX_POWER = 6
-Value = Any  # Tree | dict[str, list[list[Tree]]]
+Matrix = list[list[Tree]]
+Value: TypeAlias = Tree | Matrix
 
 
 def without_matrices(tree: Tree, is_constant: Callable[[Tree], bool]) -> Tree:
@@ -53,7 +54,7 @@ class _MatrixWriter:
         if kind not in ("==", "!=", *ORDER):
             return self.single(tree)
         left, right = self.value(tree[1]), self.value(tree[2])
-        if not (_is_table(left) or _is_table(right)):
+        if isinstance(left, tuple) and isinstance(right, tuple):
             return (kind, left, right)
         if kind in ORDER:
             reject("matrices have no order")
@@ -72,9 +73,9 @@ class _MatrixWriter:
     def single(self, tree: Tree) -> Tree:
         """Write out what may not be a matrix."""
         found = self.value(tree)
-        if _is_table(found):
+        if isinstance(found, list):
             reject("a matrix stands where a quaternion or a scalar is expected")
-        return found  # type: ignore[no-any-return]
+        return found
 
     def value(self, tree: Tree) -> Value:
         """Write out a term."""
@@ -86,20 +87,20 @@ class _MatrixWriter:
             if tree[1] not in self.free:
                 return tree
             a, b, c, d = (("name", x) for x in _names(tree[1])[1:])
-            return {"rows": [[a, b], [c, d]]}
+            return [[a, b], [c, d]]
         if kind == "call":
             return self.call(tree[1], tree[2])
         if kind == "neg":
             return _entrywise(self.value(tree[1]), lambda x: ("neg", x))
         if kind == "pow":
             base = self.value(tree[1])
-            if not _is_table(base):
+            if isinstance(base, tuple):
                 return ("pow", base, tree[2])
             if not 1 <= tree[2] <= MAX_POWER:
                 reject(f"a matrix has the powers 1 to {MAX_POWER}, not {shown(tree[2])}")
-            found = base
+            found: Value = base
             for _ in range(tree[2] - 1):
-                found = _product(found, base)
+                found = _joined("*", found, base)
             return found
         if kind in ("+", "-", "*", "/"):
             return _joined(kind, self.value(tree[1]), self.value(tree[2]))
@@ -114,24 +115,25 @@ class _MatrixWriter:
                 reject(f"{function} does not take {len(arguments)} arguments")
             entries = [self.single(x) for x in arguments]
             if function == "row":
-                return {"rows": [entries]}
+                return [entries]
             if function == "column":
-                return {"rows": [[x] for x in entries]}
-            return {"rows": [entries[:2], entries[2:]]}
+                return [[x] for x in entries]
+            return [entries[:2], entries[2:]]
         values = [self.value(x) for x in arguments]
-        if not any(map(_is_table, values)):
+        trees = [x for x in values if isinstance(x, tuple)]
+        if len(trees) == len(values):
             if function == "transpose":
                 reject("transpose takes a matrix")
-            return ("call", function, tuple(values))
+            return ("call", function, tuple(trees))
         if function == "comm" and len(values) == 2:
             return _joined("-", _joined("*", *values), _joined("*", *reversed(values)))
-        if len(values) != 1:
+        rows = values[0]
+        if len(values) != 1 or isinstance(rows, tuple):
             reject(f"{function} does not take {len(values)} arguments")
-        rows = values[0]["rows"]
         if function == "transpose":
-            return {"rows": [[row[n] for row in rows] for n in range(len(rows[0]))]}
+            return [[row[n] for row in rows] for n in range(len(rows[0]))]
         if function == "conj":
-            return _entrywise(values[0], lambda x: ("call", "conj", (x,)))
+            return _entrywise(rows, lambda x: ("call", "conj", (x,)))
         if function not in ("norm", "trace") or (len(rows), len(rows[0])) != (2, 2):
             reject(f"{shown(function)} takes no such matrix")
         (a, b), (c, d) = rows
@@ -147,24 +149,20 @@ class _MatrixWriter:
         return ("-", squares, ("call", "trace", (corner,)))
 
 
-def _is_table(value: Value) -> bool:
-    return isinstance(value, dict)
-
-
 def _entrywise(value: Value, function: Callable[[Tree], Tree]) -> Value:
-    if not _is_table(value):
+    if isinstance(value, tuple):
         return function(value)
     spend(10)
-    return {"rows": [[function(x) for x in row] for row in value["rows"]]}
+    return [[function(x) for x in row] for row in value]
 
 
-def _alike(left: Value, right: Value) -> tuple[list[list[Tree]], list[list[Tree]]]:
+def _alike(left: Value, right: Value) -> tuple[Matrix, Matrix]:
     """Return the rows of two values of one shape; a quaternion is a multiple of the identity, 0 any zero."""
-    shape = (left if _is_table(left) else right)["rows"]
-    out = []
+    shape = left if isinstance(left, list) else right
+    out: list[Matrix] = []
     for value in (left, right):
-        if _is_table(value):
-            rows = value["rows"]
+        if isinstance(value, list):
+            rows = value
         elif value == ("num", 0) or len(shape) == len(shape[0]):
             rows = [
                 [value if m == n else ("num", 0) for n in range(len(shape[0]))]
@@ -181,27 +179,26 @@ def _alike(left: Value, right: Value) -> tuple[list[list[Tree]], list[list[Tree]
 def _joined(operator: str, left: Value, right: Value) -> Value:
     """Write out a sum, a difference, a product or a quotient."""
     spend(20)
-    if not (_is_table(left) or _is_table(right)):
+    if isinstance(left, tuple) and isinstance(right, tuple):
         return (operator, left, right)
     if operator in ("+", "-"):
         rows = zip(*_alike(left, right), strict=True)
-        return {"rows": [[(operator, x, y) for x, y in zip(r, s, strict=True)] for r, s in rows]}
-    if not _is_table(right):
+        return [[(operator, x, y) for x, y in zip(r, s, strict=True)] for r, s in rows]
+    if isinstance(right, tuple):
         return _entrywise(left, lambda x: (operator, x, right))
     if operator == "/":
         reject("only scalars divide")
-    if not _is_table(left):
+    if isinstance(left, tuple):
         return _entrywise(right, lambda x: (operator, left, x))
     return _product(left, right)
 
 
-def _product(left: Value, right: Value) -> Value:
+def _product(rows: Matrix, others: Matrix) -> Value:
     """Multiply rows by columns; one row by one column is a quaternion."""
     spend(50)
-    rows, others = left["rows"], right["rows"]
     if len(rows[0]) != len(others):
         reject("two matrices whose shapes do not fit are multiplied")
-    found: list[list[Tree]] = []
+    found: Matrix = []
     for row in rows:
         found.append([])
         for n in range(len(others[0])):
@@ -209,7 +206,7 @@ def _product(left: Value, right: Value) -> Value:
             for m in range(1, len(row)):
                 total = ("+", total, ("*", row[m], others[m][n]))
             found[-1].append(total)
-    return found[0][0] if len(found) == len(found[0]) == 1 else {"rows": found}
+    return found[0][0] if len(found) == len(found[0]) == 1 else found
 
 
 def _may_be_undefined(tree: Tree) -> bool:

@@ -8,7 +8,7 @@ quaternion of its letter, and above dimension 4 those of entries of matrices too
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias
 
 from hfield.checker.budget import spend
 from hfield.checker.language import WORDS, Tree, parse, split, walk
@@ -28,7 +28,8 @@ ZERO: Tree = ("num", 0)
 ONE: Tree = ("num", 1)
 FUNCTIONS = ("conj", "inv", "norm", "trace", "scalar", "vector", "comm", *MAKERS, *ARGUMENTS)
 Vector = list[Tree]
-Value = Any  # Tree for a scalar, Vector for an element
+Value: TypeAlias = Tree | Vector
+"""The value of a term: a tree for a scalar, coordinates for an element."""
 
 
 @dataclass(frozen=True)
