@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Hashable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import lru_cache
-from typing import Generic, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 from hfield.checker.rejection import Rejected, reject
 
@@ -56,7 +56,14 @@ def spend(units: int) -> None:
             )
 
 
-def spend_products(some: Collection[int], others: Collection[int]) -> None:
+class Number(Protocol):
+    """A number as the budget sees it: an integer, or a polynomial over a finite field."""
+
+    def bit_length(self) -> int:
+        """Return the number of bits."""
+
+
+def spend_products(some: Collection[Number], others: Collection[Number]) -> None:
     """Spend the cost of multiplying, dividing or reducing each of some numbers by each of others."""
     bits, more = (sum([n.bit_length() for n in numbers]) for numbers in (some, others))
     linear = bits * len(others) + more * len(some)

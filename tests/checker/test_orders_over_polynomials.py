@@ -10,11 +10,12 @@ from hfield import QuaternionAlgebra, ring
 from hfield.checker.check import Budget, check
 from hfield.checker.glossary import MASS_OVER_POLYNOMIALS
 from hfield.checker.number_fields.matrices import hermite, times
-from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
+from hfield.checker.orders.polynomial_integers import PolynomialIntegers
 from hfield.checker.orders.reading import OverPolynomials
 from hfield.checker.orders.words import OVER_POLYNOMIALS
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
+from hfield.checker.scalars.finite_field_polynomials import FiniteFieldPolynomial
 from hfield.checker.statement import read_setting
 from hfield.cli import main
 from hfield.orders import certificates

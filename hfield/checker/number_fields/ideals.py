@@ -2,15 +2,43 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from math import prod
-from typing import Any
+from typing import Protocol, overload
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Prime, RingOfIntegers
-from hfield.checker.number_fields.matrices import Key, hermite, ratio, reduced, times
+from hfield.checker.number_fields.matrices import (
+    Key,
+    KeyOf,
+    N,
+    RowOf,
+    diagonal_product,
+    hermite,
+    ratio,
+    reduced,
+    times,
+)
+from hfield.checker.scalars.finite_field_polynomials import FiniteFieldPolynomial, RationalFunction
 
 
-def ideal(integers: RingOfIntegers, den: int, rows: Iterable[Sequence[int]]) -> Key:
+class Integers(Protocol[N]):
+    """A ring of integers by a basis: of a number field, or the polynomials as a basis of themselves."""
+
+    n: int
+    zero: N
+    one: RowOf[N]
+    table: list[list[RowOf[N]]]
+
+    def mul(self, x: Sequence[N], y: Sequence[N], /) -> RowOf[N]:
+        """Return a product."""
+
+    def matrix(self, x: Sequence[N], /) -> list[RowOf[N]]:
+        """Return the matrix that takes a row y to x·y."""
+
+    def norm(self, x: Sequence[N], /) -> N:
+        """Return the norm down to ℚ; over polynomials the number itself."""
+
+
+def ideal(integers: Integers[N], den: N, rows: Iterable[Sequence[N]]) -> KeyOf[N]:
     """Return the ideal that integers of the field over a denominator generate, in Hermite normal form."""
     own = [row for row in rows if any(row)]
     spend(len(own) * integers.n**3 // 4)
@@ -33,7 +61,11 @@ def times_primes(integers: RingOfIntegers, powers: Iterable[tuple[Prime, int]], 
     return other
 
 
-def index(a: Key) -> Any:
+@overload
+def index(a: Key) -> Fraction: ...
+@overload
+def index(a: KeyOf[FiniteFieldPolynomial]) -> RationalFunction: ...
+def index(a: KeyOf[N]) -> Fraction | RationalFunction:
     """Return the norm of an ideal down to ℚ; over polynomials its generator."""
     den, rows = a
-    return ratio(prod(row[k] for k, row in enumerate(rows)), den ** len(rows))
+    return ratio(diagonal_product(rows), den ** len(rows))

@@ -5,12 +5,11 @@ is where a high power of Frobenius is 0; a prime ideal P above p is an ideal of 
 quotient, and all are listed where the degrees of these fields have the dimension modulo the radical for sum.
 """
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from math import gcd, lcm
-from typing import Any
 
 from hfield.checker.budget import spend, spend_products
 from hfield.checker.number_fields.factoring import factored
@@ -24,11 +23,10 @@ from hfield.checker.number_fields.modular import (
 )
 from hfield.checker.rejection import a_list, an_integer, reject
 from hfield.checker.scalars.finite import is_prime
-from hfield.checker.scalars.functions import Functions
 from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.number_fields import Element, NumberField
-from hfield.checker.scalars.quadratic import Quadratic, pair
-from hfield.checker.scalars.rationals import Rationals
+from hfield.checker.scalars.quadratic import Quadratic
+from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.statement import Setting
 
 MAX_DEGREE = 12
@@ -56,6 +54,8 @@ class RingOfIntegers:
         for p, e in factored(abs(self.discriminant)).items():
             if e > 1 and not self._is_maximal_at(p):
                 reject(f"the integral basis does not span all integers at {p}")
+
+    zero = 0
 
     def coordinates(self, x: Sequence[Fraction]) -> tuple[int, Vector]:
         """Return an element as coordinates over a denominator, in lowest terms."""
@@ -307,11 +307,9 @@ def field_of(setting: Setting) -> NumberField:
     return ring
 
 
-def coefficients(ring: Any, x: Any) -> Element:
-    """Return the coefficients of 1, s, s², … in an element; over ℚ and over functions, the element alone."""
-    if isinstance(ring, Rationals | Functions):
-        return (x,)
-    return pair(x) if isinstance(ring, Quadratic) else tuple(x)
+def coefficients(ring: AnyRing, x: Hashable) -> Element:
+    """Return the coefficients of 1, s, s², … in an element; over ℚ the element alone."""
+    return ring.coefficients(x)
 
 
 def integer_row(value: object, n: int) -> Vector:

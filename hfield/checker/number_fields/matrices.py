@@ -1,6 +1,6 @@
 """Matrices of integers: products, Hermite forms, inverses and determinants.
 
-Integers may also be polynomials over a finite field (:mod:`hfield.checker.orders.polynomial_integers`).
+Integers may also be polynomials over a finite field (:mod:`hfield.checker.scalars.finite_field_polynomials`).
 
 Most rows have four entries. Their products are computed by a special case, which takes half the time.
 """
@@ -9,47 +9,84 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from operator import mul
-from typing import Any
+from typing import Protocol, Self, TypeVar, overload
 
-from hfield.checker.budget import spend, spend_products
+from hfield.checker.budget import Number, spend, spend_products
 from hfield.checker.rejection import reject
+from hfield.checker.scalars.finite_field_polynomials import FiniteFieldPolynomial, RationalFunction
 from hfield.checker.scalars.rationals import over_one_denominator
 
-Row = tuple[Any, ...]
-"""Integers, or real numbers of a number field."""
-Rows = tuple[Row, ...]
-Key = tuple[int, Rows]
+N = TypeVar("N", int, FiniteFieldPolynomial)
+"""The numbers over which lattices are: integers, or polynomials."""
+RowOf = tuple[N, ...]
+RowsOf = tuple[RowOf[N], ...]
+KeyOf = tuple[N, RowsOf[N]]
 """A Hermite form over its least denominator."""
+Row = RowOf[int]
+Rows = RowsOf[int]
+Key = KeyOf[int]
 
 
-def gcd(first: Any, *others: Any) -> Any:
+class Entry(Protocol):
+    """A number that can stand in a matrix: an integer, a polynomial, or a real number of a number field."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self | int, /) -> Self: ...
+
+
+N_co = TypeVar("N_co", int, FiniteFieldPolynomial, covariant=True)
+
+
+class Quotient(Protocol[N_co]):
+    """A fraction of integers or of polynomials in lowest terms."""
+
+    @property
+    def numerator(self) -> N_co:
+        """The numerator."""
+
+    @property
+    def denominator(self) -> N_co:
+        """The denominator, positive or monic."""
+
+    def __mul__(self, other: Self, /) -> Self: ...
+
+
+M = TypeVar("M", bound=Entry)
+T = TypeVar("T")
+
+
+def gcd(first: N, *others: N) -> N:
     """Return the greatest common divisor: positive of integers, monic of polynomials."""
     return math.gcd(first, *others) if isinstance(first, int) else first.gcd(*others)
 
 
-def lcm(first: Any, *others: Any) -> Any:
+def lcm(first: N, *others: N) -> N:
     """Return the least common multiple of positive integers or of monic polynomials."""
     for x in others:
         first = first * (x // gcd(x, first))
     return first
 
 
-def ratio(x: Any, y: Any) -> Any:
+@overload
+def ratio(x: int, y: int) -> Fraction: ...
+@overload
+def ratio(x: FiniteFieldPolynomial, y: FiniteFieldPolynomial) -> RationalFunction: ...
+def ratio(x: N, y: N) -> Fraction | RationalFunction:
     """Return x/y, a fraction of integers or of polynomials."""
     return Fraction(x, y) if isinstance(x, int) else x.ratio(y)
 
 
-def normal(x: Any) -> Any:
+def normal(x: N) -> N:
     """Return the associate of a number other than 0 that is positive or monic."""
     return abs(x) if isinstance(x, int) else x * x.to_normal
 
 
-def is_one(x: Any) -> bool:
+def is_one(x: N) -> bool:
     """Return whether a positive integer or a monic polynomial is 1."""
     return bool(x == 1) if isinstance(x, int) else x.degree == 0
 
 
-def longest(rows: Iterable[Sequence[int]]) -> int:
+def longest(rows: Iterable[Sequence[Number]]) -> int:
     """Return the bit length of the longest number."""
     return max([n.bit_length() for row in rows for n in row], default=0)
 
@@ -59,7 +96,7 @@ def unit(n: int, k: int, value: int = 1) -> Row:
     return tuple(value * int(k == m) for m in range(n))
 
 
-def times(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
+def times(rows: Iterable[Sequence[M]], matrix: Sequence[Sequence[M]]) -> list[tuple[M, ...]]:
     """Return the products of rows with a matrix. The caller spends the work."""
     if len(matrix) != 4:
         return times_any(rows, matrix)
@@ -70,18 +107,18 @@ def times(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> lis
     ]
 
 
-def times_any(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
+def times_any(rows: Iterable[Sequence[M]], matrix: Sequence[Sequence[M]]) -> list[tuple[M, ...]]:
     """Return the products of rows with a matrix that has any number of rows."""
-    columns = transposed(matrix)
-    return [tuple([sum(map(mul, row, column)) for column in columns]) for row in rows]
+    columns, zero = transposed(matrix), matrix[0][0] * 0
+    return [tuple([sum(map(mul, row, column), zero) for column in columns]) for row in rows]
 
 
-def transposed(rows: Iterable[Sequence[Any]]) -> Rows:
+def transposed(rows: Iterable[Sequence[T]]) -> tuple[tuple[T, ...], ...]:
     """Return the columns."""
     return tuple(zip(*rows, strict=True))
 
 
-def hermite(rows: Iterable[Sequence[int]]) -> Rows:
+def hermite(rows: Iterable[Sequence[N]]) -> RowsOf[N]:
     """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` below the full rank."""
     rest = [list(row) for row in rows]
     if not rest:
@@ -90,7 +127,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     if size == 1:
         g = gcd(*(row[0] for row in rest))
         return ((g,),) if g else reject("these rows span a lattice of rank below 1")
-    found: list[list[int]] = []
+    found: list[list[N]] = []
     first = longest(rest)
     for c in range(size):
         bits = (c + 1) * first  # what has been combined is longer
@@ -120,25 +157,30 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     return tuple(map(tuple, found))
 
 
-def _with_normal_pivot(row: list[Any], c: int) -> list[Any]:
-    if isinstance(row[c], int):
-        return [-x for x in row] if row[c] < 0 else row
-    return [x * row[c].to_normal for x in row]
+def _with_normal_pivot(row: list[N], c: int) -> list[N]:
+    lead = row[c]
+    if isinstance(lead, int):
+        return [-x for x in row] if lead < 0 else row
+    return [x * lead.to_normal for x in row]
 
 
-def reduced(den: int, rows: Rows) -> Key:
+def reduced(den: N, rows: RowsOf[N]) -> KeyOf[N]:
     """Return a Hermite form over its least denominator."""
     spend(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
     g = gcd(den, *(x for row in rows for x in row))
     return den // g, tuple(tuple(x // g for x in row) for row in rows)
 
 
-def inverse(rows: Sequence[Sequence[int]]) -> tuple[Rows, int]:
+def inverse(rows: Sequence[Sequence[N]]) -> tuple[RowsOf[N], N]:
     """Return ``(m, d)``, m/d being the inverse of a matrix. Raises :class:`Rejected` where there is none."""
     size = len(rows)
     spend(60 * (1 + (size // 4) ** 3) + size**3 * longest(rows) ** 2 // 30_000)
-    m = [[*row, *unit(size, r)] for r, row in enumerate(rows)]
-    before = 1
+    zero: N = rows[0][0] * 0
+    m: list[list[N]] = []
+    for r, row in enumerate(rows):
+        m.append(list(row) + [zero] * size)
+        m[r][size + r] = zero + 1
+    before: N | int = 1
     for c in range(size):  # without fractions (Bareiss): all divisions by ``before`` leave no rest
         pivot = next((r for r in range(c, size) if m[r][c]), None)
         if pivot is None:
@@ -151,25 +193,52 @@ def inverse(rows: Sequence[Sequence[int]]) -> tuple[Rows, int]:
                 f = m[r][c]
                 m[r] = [(top[c] * x - f * y) // before for x, y in zip(m[r], top, strict=True)]
         before = top[c]
-    return tuple(tuple(row[size:]) for row in m), before
+    return tuple(tuple(row[size:]) for row in m), m[-1][size - 1]
 
 
 def determinant(rows: Sequence[Sequence[int]]) -> int:
-    """Return a determinant, without fractions (Bareiss)."""
-    m = [list(row) for row in rows]
-    n, sign, before = len(m), 1, 1
+    """Return a determinant."""
+    found = _triangular(rows)
+    if found is None:
+        return 0
+    sign, m = found
+    return sign * m[-1][-1] if m else sign
+
+
+def is_singular(rows: Sequence[Sequence[N]]) -> bool:
+    """Return whether a determinant is 0."""
+    return _triangular(rows) is None
+
+
+def _triangular(rows: Sequence[Sequence[N]]) -> tuple[int, list[list[N]]] | None:
+    """Eliminate without fractions (Bareiss), for the determinant in the last row; None where that is 0.
+
+    Returns the sign of the order of the rows as well.
+    """
+    m: list[list[N]] = [list(row) for row in rows]
+    n, sign = len(m), 1
+    before: N | int = 1
     for c in range(n):
         k = next((r for r in range(c, n) if m[r][c]), None)
         if k is None:
-            return 0
+            return None
         if k != c:
-            m[c], m[k], sign = m[k], m[c], -sign
+            m[c], m[k] = m[k], m[c]
+            sign = -sign
         for r in range(c + 1, n):
             f = m[r][c]
-            spend_products([m[c][c], f], [*m[r][c:], *m[c][c:]])
+            spend_products([m[c][c], f], m[r][c:] + m[c][c:])
             m[r] = [(m[c][c] * x - f * y) // before for x, y in zip(m[r], m[c], strict=True)]
         before = m[c][c]
-    return sign * before
+    return sign, m
+
+
+def diagonal_product(rows: RowsOf[N]) -> N:
+    """Return the product of the entries on the diagonal."""
+    found = rows[0][0]
+    for k in range(1, len(rows)):
+        found = found * rows[k][k]
+    return found
 
 
 def rational_rows(values: Sequence[Sequence[Fraction]]) -> tuple[int, Rows]:

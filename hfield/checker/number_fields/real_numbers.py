@@ -22,6 +22,7 @@ class RealPlace:
     def __init__(self, integers: RingOfIntegers, root: RealRoot) -> None:
         self.integers, self._root = integers, root
         self._bounds: list[list[tuple[int, int]]] = []
+        self.zero = Real(self, (0,) * integers.n)
 
     def sign(self, x: Vector) -> int:
         """Return the sign of an integer."""
@@ -61,8 +62,10 @@ class Real:
         return tuple(other * c for c in self.place.integers.one)
 
     def __add__(self, other: "Real | int") -> "Real":
-        if isinstance(other, int) and not other:
+        if other is self.place.zero or (isinstance(other, int) and not other):
             return self
+        if self is self.place.zero and isinstance(other, Real):
+            return other
         return Real(
             self.place, tuple(a + b for a, b in zip(self.row, self._row(other), strict=True))
         )
@@ -78,9 +81,12 @@ class Real:
     def __rsub__(self, other: "Real | int") -> "Real":
         return (-self).__add__(other)
 
-    def __mul__(self, other: "Real | int") -> "Real | int":
+    def __mul__(self, other: "Real | int") -> "Real":
+        zero = self.place.zero
+        if self is zero or other is zero:
+            return zero
         if isinstance(other, int):
-            return Real(self.place, tuple(other * a for a in self.row)) if other else 0
+            return Real(self.place, tuple(other * a for a in self.row)) if other else zero
         return Real(self.place, self.place.integers.mul(self.row, other.row))
 
     __rmul__ = __mul__
@@ -112,3 +118,7 @@ class Real:
     def bit_length(self) -> int:
         """Return how long its longest coordinate is."""
         return max(map(int.bit_length, self.row))
+
+
+RealNumber = Real | int
+RealRow = tuple[RealNumber, ...]

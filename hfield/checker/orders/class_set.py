@@ -6,20 +6,25 @@ and a represents a narrow ideal class; u runs through the totally positive units
 (docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from fractions import Fraction
 from math import lcm
-from typing import Any
+from typing import TypeVar
 
 from hfield.checker.number_fields.enumeration import short_vectors
 from hfield.checker.number_fields.ideals import index
-from hfield.checker.number_fields.matrices import Key, Row, hermite, inverse, reduced, times
-from hfield.checker.orders.lattice import Lattice
+from hfield.checker.number_fields.matrices import Key, N, Row, hermite, inverse, reduced, times
+from hfield.checker.orders.lattice import Lattice, LatticeOf
+from hfield.checker.orders.polynomial_lattices import PolynomialLattice
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.number_fields import Element as Number
 
+K = TypeVar("K", bound=Hashable)
+L = TypeVar("L", Lattice, PolynomialLattice)
+X = TypeVar("X")
 
-def need_ideal(lattice: Lattice, order: Lattice, side: str, what: str = "this") -> None:
+
+def need_ideal(lattice: LatticeOf[N], order: LatticeOf[N], side: str, what: str = "this") -> None:
     """Reject unless a lattice is a locally principal ideal: its index is the square of its norm."""
     factors = (order, lattice) if side == "left" else (lattice, order)
     if not factors[0].products_lie_in(factors[1], lattice):
@@ -29,9 +34,9 @@ def need_ideal(lattice: Lattice, order: Lattice, side: str, what: str = "this") 
 
 
 def need_class_set(
-    order: Lattice,
-    classes: Iterable[tuple[Lattice, Any, int]],
-    divided: Callable[[Any, Any], tuple[set[Key], int]],
+    order: L,
+    classes: Iterable[tuple[L, X, int]],
+    divided: Callable[[L, X], tuple[set[K], int]],
     mass: Fraction,
 ) -> list[int]:
     """Return the numbers of units of left orders modulo those of the field; reject other lists.
@@ -41,7 +46,7 @@ def need_class_set(
     ``divided`` returns, for an ideal and its 1/ν, the lattices by which its class is recognised, and how many
     units its left order has modulo those of the field.
     """
-    seen: dict[tuple[int, Key], int] = {}
+    seen: dict[tuple[int, K], int] = {}
     units = []
     for number, (ideal, scale, kind) in enumerate(classes):
         need_ideal(ideal, order, "right", f"the ideal {number}")

@@ -22,7 +22,8 @@ from hfield.checker.glossary import (
     SHIMIZU,
 )
 from hfield.checker.number_fields.factoring import factored
-from hfield.checker.number_fields.matrices import Row, inverse, times
+from hfield.checker.number_fields.matrices import inverse, times
+from hfield.checker.number_fields.real_numbers import RealRow
 from hfield.checker.orders.elements import trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Lattice, LatticeElement
@@ -89,7 +90,7 @@ def has_orbits(given: Given, parts: Parts) -> CheckResult:
     elements = [given.element(x) for x in a_list(given.data["elements"], "elements", 1)]
     if 2 * len(elements) != number:
         reject(f"{len(elements)} embeddings are given, which is not half of the number of orbits")
-    seen: set[Row] = set()
+    seen: set[RealRow] = set()
     for x in elements:
         _need_embedding(order, x, d)
         images = domain.orbit(_root(given, order, x))

@@ -12,18 +12,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Primes
-from hfield.checker.number_fields.matrices import Row, longest
+from hfield.checker.number_fields.matrices import longest
+from hfield.checker.number_fields.real_numbers import RealNumber, RealRow
 from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import mass, symbols
 from hfield.checker.orders.presentations import Word, simplified
-from hfield.checker.orders.real_algebra import RealAlgebra
+from hfield.checker.orders.real_algebra import RealAlgebra, RealElement
 from hfield.checker.rejection import reject
 
-Vector = tuple[Any, Any, Any]
+Vector = tuple[RealNumber, RealNumber, RealNumber]
 MAX_SIDES = 5_000
 MAX_ORDER = 21
 """Elliptic points have at most this order m over a field of degree 6: ζ₂ₘ has degree φ(2m) ≤ 12 over ℚ."""
@@ -92,7 +92,7 @@ class FundamentalDomain:
         if Fraction(len(units) - 2, 2) - angles != area:
             reject("the polygon has not the area of the plane modulo the group")
 
-    def _seen_from(self, c: Row) -> tuple[Row, Row, Row]:
+    def _seen_from(self, c: RealRow) -> tuple[RealRow, RealRow, RealRow]:
         """Return c, some u that anticommutes with c, and c·u, up to positive factors."""
         algebra = self.algebra
         if algebra.pairing(c, (1, 0, 0, 0)) or algebra.pairing(c, c) <= 0:
@@ -107,25 +107,25 @@ class FundamentalDomain:
                 return c, u, algebra.times(c, u)
         reject("the centre commutes with everything")
 
-    def _moved(self, g: Row, x: Row) -> Row:
+    def _moved(self, g: RealRow, x: RealRow) -> RealRow:
         """Return g·x·ḡ, times the scale of the algebra to the power 3."""
         return self.algebra.times(self.algebra.times(g, x), self.algebra.conjugate(g))
 
     # --- the polygon ---------------------------------------------------------------------------------
 
-    def _far(self, g: LatticeElement) -> Row:
+    def _far(self, g: RealElement) -> RealRow:
         """Return g·c − c, up to a positive factor; pairings with it are ≥ 0 where c is as near as g·c."""
         size = g.den * g.den * self.algebra.scale**3
         c = self._axes[0]
         return tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
 
-    def _line(self, g: LatticeElement) -> Vector:
+    def _line(self, g: RealElement) -> Vector:
         """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
         far = self._far(g)
         a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
         return (a, b, d)
 
-    def _polygon(self, units: Sequence[LatticeElement]) -> tuple[list[Row], list[bool]]:
+    def _polygon(self, units: Sequence[RealElement]) -> tuple[list[RealRow], list[bool]]:
         """Return where each side begins, and whether that is at infinity.
 
         Reject unless the lines bound a convex polygon, in order, with corners at most at infinity. The forms
@@ -148,7 +148,7 @@ class FundamentalDomain:
         corners = [self.algebra.primitive(0, times_axes(x, self._axes)).row for x in meetings]
         return corners, [size == 0 for size in sizes]
 
-    def _sector(self) -> tuple[list[Row], list[bool]]:
+    def _sector(self) -> tuple[list[RealRow], list[bool]]:
         """Check a sector: the other units, rotated by powers of the last, bound a polygon."""
         rotation, sides = self.units[-1], self.units[1:-1]
         if self._up_to_sign(self._inverse(rotation)) != self._up_to_sign(self.units[0]):
@@ -165,8 +165,8 @@ class FundamentalDomain:
         end = len(sides) + 1
         return [self._axes[0], *corners[:end]], [False, *ideal[:end]]
 
-    def _inverse(self, g: LatticeElement) -> LatticeElement:
-        return LatticeElement(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
+    def _inverse(self, g: RealElement) -> RealElement:
+        return RealElement(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
 
     def _paired(self) -> list[int]:
         """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
@@ -189,7 +189,7 @@ class FundamentalDomain:
             partners.append(partner)
         return partners
 
-    def _up_to_sign(self, g: LatticeElement) -> tuple[int, Row]:
+    def _up_to_sign(self, g: RealElement) -> tuple[int, RealRow]:
         """Return a key that g and −g share and no other element has."""
         own = self.algebra.primitive(g.den, g.row)
         first = next((x for x in own.row if x), 0)
@@ -200,7 +200,7 @@ class FundamentalDomain:
         while left:
             start = n = min(left)
             path: list[int] = []
-            around = LatticeElement(1, (1, 0, 0, 0))
+            around = RealElement(1, (1, 0, 0, 0))
             while not path or n != start:
                 if n not in left:
                     reject("the corners are in no cycles")
@@ -214,7 +214,7 @@ class FundamentalDomain:
                 reject("what goes around a corner does not fix it as it should")
             yield Cycle(tuple(path), order)
 
-    def _order(self, g: LatticeElement) -> int:
+    def _order(self, g: RealElement) -> int:
         """Return the order of a unit modulo ±1; 0 for a parabolic one."""
         trace = self.algebra.pairing(g.row, (1, 0, 0, 0))
         if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
@@ -228,7 +228,7 @@ class FundamentalDomain:
 
     # --- points in it --------------------------------------------------------------------------------
 
-    def orbit(self, s: LatticeElement) -> set[Row]:
+    def orbit(self, s: LatticeElement) -> set[RealRow]:
         """Return the images in the domain of an element of trace 0, by units; over ℚ.
 
         Reject unless it stands for a point of the domain, which is none of a sector. Tiles around a point
@@ -258,7 +258,7 @@ class FundamentalDomain:
         return found
 
     @cached_property
-    def _bounds(self) -> list[Row]:
+    def _bounds(self) -> list[RealRow]:
         return [self._far(g) for g in self.units]
 
     # --- the group -----------------------------------------------------------------------------------
@@ -292,7 +292,7 @@ class FundamentalDomain:
         if (own, list(relations)) != self.presentation():
             reject("this is not the presentation that the domain gives")
 
-    def presentation(self) -> tuple[list[LatticeElement], list[Word]]:
+    def presentation(self) -> tuple[list[RealElement], list[Word]]:
         """Return generators and relations: of the sides, less those that a relation expresses by others."""
         letters: dict[int, int] = {}
         for n, partner in enumerate(self.partners):
@@ -321,7 +321,7 @@ class Cycle:
     order: int
 
 
-def times_axes(x: Sequence[int], axes: Sequence[Row]) -> Row:
+def times_axes(x: Sequence[RealNumber], axes: Sequence[RealRow]) -> RealRow:
     """Return a combination of rows."""
     return tuple(sum(a * v[k] for a, v in zip(x, axes, strict=True)) for k in range(4))
 
@@ -335,11 +335,11 @@ def _meeting(f: Vector, g: Vector) -> Vector:
     )
 
 
-def _dot(f: Vector, x: Vector) -> Any:
+def _dot(f: Vector, x: Vector) -> RealNumber:
     return f[0] * x[0] + f[1] * x[1] + f[2] * x[2]
 
 
-def _same_point(x: Row, y: Row) -> bool:
+def _same_point(x: RealRow, y: RealRow) -> bool:
     """Return whether coordinates are multiples of one another; on one sheet the factor is positive."""
     n = next(n for n, c in enumerate(y) if c)
     return all(x[n] * b == a * y[n] for a, b in zip(x, y, strict=True))

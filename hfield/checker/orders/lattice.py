@@ -5,16 +5,21 @@ The numbers are integers, or polynomials over GF(q) (:mod:`hfield.checker.orders
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
-from math import prod
-from typing import Any
+from typing import Generic, Self
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.ideals import ideal
 from hfield.checker.number_fields.matrices import (
-    Key,
+    KeyOf,
+    N,
+    Quotient,
     Row,
+    RowOf,
     Rows,
+    RowsOf,
+    diagonal_product,
     gcd,
     hermite,
     inverse,
@@ -26,25 +31,29 @@ from hfield.checker.number_fields.matrices import (
     times,
     transposed,
 )
-from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.algebra import Algebra, AlgebraOf
 from hfield.checker.rejection import reject
 
 
 @dataclass(frozen=True)
-class LatticeElement:
+class ElementOf(Generic[N]):
     """A row over a denominator."""
 
-    den: Any
-    row: Row
+    den: N
+    row: RowOf[N]
+
+
+class LatticeElement(ElementOf[int]):
+    """A row of integers over a denominator."""
 
 
 @dataclass(frozen=True)
-class Lattice:
+class LatticeOf(Generic[N]):
     """The integer combinations of independent ``rows`` over ``den``; any basis."""
 
-    algebra: Algebra
-    den: int
-    rows: Rows
+    algebra: AlgebraOf[N]
+    den: N
+    rows: RowsOf[N]
 
     @cached_property
     def bits(self) -> int:
@@ -57,31 +66,31 @@ class Lattice:
         spend(count // 4 + count * bits * bits // 2_000_000)
 
     @cached_property
-    def key(self) -> Key:
+    def key(self) -> KeyOf[N]:
         """The least denominator and the Hermite form: equal exactly for equal lattices."""
         return reduced(self.den, hermite(self.rows))
 
     @cached_property
-    def gram(self) -> list[Rows]:
+    def gram(self) -> list[RowsOf[N]]:
         """The matrices of tr(x·conj(y)) on the rows, place by place, :attr:`unit` times too large."""
         self.pay(2 * self.algebra.n)
         columns = transposed(self.rows)
         return [tuple(times(times(self.rows, form), columns)) for form in self.algebra.forms]
 
     @property
-    def unit(self) -> Any:
+    def unit(self) -> N:
         """The factor by which :attr:`gram` is too large."""
         return self.algebra.scale * self.den * self.den
 
     @cached_property
-    def volume(self) -> Any:
+    def volume(self) -> Quotient[N]:
         """The determinant of the rows, without its sign; over polynomials made monic."""
         den, rows = self.key
         spend(self.algebra.size * self.bits**2 // 40_000)
-        return ratio(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
+        return ratio(diagonal_product(rows), den**self.algebra.size)
 
     @cached_property
-    def discriminant(self) -> Any:
+    def discriminant(self) -> N:
         """The norm down to ℚ of the reduced discriminant of an order; over polynomials its generator."""
         found = self.algebra.volume * self.volume
         if not is_one(found.denominator):
@@ -89,20 +98,20 @@ class Lattice:
         return found.numerator
 
     @property
-    def norms(self) -> list[Row]:
+    def norms(self) -> list[RowOf[N]]:
         """The norms of the rows, :attr:`unit` times too large."""
         return [tuple([g[m][m] // 2 for g in self.gram]) for m in range(self.algebra.size)]
 
     @cached_property
-    def norm(self) -> Key:
+    def norm(self) -> KeyOf[N]:
         """The ideal of the field that the norms of all elements generate, by those of sums."""
         self.pay(1)
         traces = [
             tuple([g[m][n] for g in self.gram]) for n in range(self.algebra.size) for m in range(n)
         ]
-        return ideal(self.algebra.integers, self.unit, [*self.norms, *traces])
+        return ideal(self.algebra.integers, self.unit, self.norms + traces)
 
-    def holds(self, den: int, rows: Iterable[Sequence[int]]) -> bool:
+    def holds(self, den: N, rows: Iterable[Sequence[N]]) -> bool:
         """Return whether all rows, divided by ``den``, lie in the lattice."""
         own = self.key[0]
         common = gcd(own, den)
@@ -123,21 +132,21 @@ class Lattice:
         return True
 
     @cached_property
-    def _steps(self) -> list[tuple[int, list[tuple[int, int]]]]:
+    def _steps(self) -> list[tuple[N, list[tuple[int, N]]]]:
         """The pivots of the Hermite form, and the nonzero entries that follow each in its row."""
         return [
             (row[n], [(m, y) for m, y in enumerate(row) if y and m > n])
             for n, row in enumerate(self.key[1])
         ]
 
-    def times(self, x: LatticeElement, side: str) -> "Lattice":
+    def times(self, x: ElementOf[N], side: str) -> Self:
         """Return L·x for the ``right`` side, x·L for the left."""
         self.pay(2, longest([x.row]))
         multiply = self.algebra.right if side == "right" else self.algebra.left
         rows = tuple(times(self.rows, multiply(x.row)))
         return replace(self, den=self.den * x.den * self.algebra.scale, rows=rows)
 
-    def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
+    def products_lie_in(self, other: Self, inside: Self) -> bool:
         """Return whether all products of an element of this lattice and one of the other lie in a third."""
         self.pay(3 * self.algebra.size, other.bits + inside.bits)
         den = self.den * other.den * self.algebra.scale
@@ -145,13 +154,13 @@ class Lattice:
             inside.holds(den, times(self.rows, self.algebra.right(row))) for row in other.rows
         )
 
-    def into(self, other: "Lattice", side: str) -> "Lattice":
+    def into(self, other: Self, side: str) -> Self:
         """Return {x: L·x ⊆ M} for the ``left`` side, {x: x·L ⊆ M} for the right, M being ``other``."""
         self.pay(2 * self.algebra.size, 4 * other.bits)
         # x is in it exactly where x·c is an integer for the columns c of these matrices
         multiply = self.algebra.left if side == "left" else self.algebra.right
         back, det = inverse(other.rows)
-        columns: list[Row] = []
+        columns: list[RowOf[N]] = []
         for row in self.rows:
             columns += transposed(times(multiply(row), back))
         found, d = inverse(transposed(hermite(columns)))
@@ -161,11 +170,18 @@ class Lattice:
         return replace(self, den=down, rows=tuple(tuple(x * up for x in row) for row in found))
 
     @property
-    def conjugate(self) -> "Lattice":
+    def conjugate(self) -> Self:
         """The lattice of all conjugates."""
         self.pay(1)
         rows = tuple(map(self.algebra.conjugate, self.rows))
         return replace(self, den=self.den * self.algebra.scale, rows=rows)
+
+
+class Lattice(LatticeOf[int]):
+    """The combinations of ``rows`` over ``den`` in an algebra over ℚ or a number field."""
+
+    algebra: Algebra
+    volume: Fraction
 
     def form(self, weights: Sequence[int]) -> Rows:
         """Return the matrix of a combination of the forms of :attr:`gram`."""

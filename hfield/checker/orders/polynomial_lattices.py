@@ -5,32 +5,39 @@ coefficients prove this, and also that the algebra ramifies at infinity (docs/ex
 """
 
 from collections.abc import Hashable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
 
 from hfield.checker.budget import spend
-from hfield.checker.number_fields.matrices import Key, Row, is_one, times
-from hfield.checker.orders.lattice import Lattice, LatticeElement
-from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
+from hfield.checker.number_fields.matrices import KeyOf, is_one, times
+from hfield.checker.orders.algebra import PolynomialAlgebra
+from hfield.checker.orders.lattice import ElementOf, LatticeOf
+from hfield.checker.orders.polynomial_integers import PolynomialIntegers, PolynomialRow
 from hfield.checker.rejection import reject
+from hfield.checker.scalars.finite_field_polynomials import FiniteFieldPolynomial, RationalFunction
 from hfield.checker.scalars.quotients import QuotientField
 
+PolynomialKey = KeyOf[FiniteFieldPolynomial]
 
-@dataclass(frozen=True)
-class PolynomialLattice(Lattice):
+
+class PolynomialElement(ElementOf[FiniteFieldPolynomial]):
+    """A row of polynomials over a denominator."""
+
+
+class PolynomialLattice(LatticeOf[FiniteFieldPolynomial]):
     """The combinations of four independent rows over ``den``, with polynomials for coefficients."""
+
+    algebra: PolynomialAlgebra
+    volume: RationalFunction
 
     @property
     def polynomials(self) -> PolynomialIntegers:
         """The ring of the coefficients."""
-        found = self.algebra.integers
-        assert isinstance(found, PolynomialIntegers)
-        return found
+        return self.algebra.integers
 
     @cached_property
-    def norms(self) -> list[Row]:
+    def norms(self) -> list[PolynomialRow]:
         """The norms of the rows, :attr:`unit` times too large."""
         return [(self.algebra.norm(row),) for row in self.rows]
 
@@ -49,7 +56,7 @@ class PolynomialLattice(Lattice):
                 reject("a basis is not reduced: three of its norms have degrees of one parity")
             if len(some) == 2:
                 m, n = some
-                scale = base.inverse(norms[m].lead)
+                scale = base.need_inverse(norms[m].lead)
                 middle = traces[m][n].at((degrees[m] + degrees[n]) // 2)
                 if not base.is_irreducible(base.mul(middle, scale), base.mul(norms[n].lead, scale)):
                     reject("a basis is not reduced: the leading terms of two norms are dependent")
@@ -59,7 +66,7 @@ class PolynomialLattice(Lattice):
                     reject("a basis is not reduced: a trace has too large a degree")
         return degrees
 
-    def up_to_degree(self, degree: int) -> Iterator[Row]:
+    def up_to_degree(self, degree: int) -> Iterator[PolynomialRow]:
         """Yield all elements for which :attr:`unit` times the norm has at most a degree."""
         bounds = [(degree - own) // 2 + 1 for own in self.degrees]
         spend(self.polynomials.order ** max(max(bounds), 0))  # lists of polynomials
@@ -68,24 +75,24 @@ class PolynomialLattice(Lattice):
             spend(20)
             yield times([combination], self.rows)[0]
 
-    def least(self) -> list[Row]:
+    def least(self) -> list[PolynomialRow]:
         """Return the elements with norms of least degree, one of each line over the constants."""
         least, (one,) = min(self.degrees), self.polynomials.one
         first, *second = [row for row, d in zip(self.rows, self.degrees, strict=True) if d == least]
-        found: list[Row] = [first]
+        found: list[PolynomialRow] = [first]
         for row in second:
             for c in self.polynomials.of_degree_below(1):
                 found += times([(c, one)], [first, row])
         return found
 
-    def divided(self, x: Row) -> Key:
+    def divided(self, x: PolynomialRow) -> PolynomialKey:
         """Return x⁻¹·L, for a row x over the denominator of the lattice."""
         norm = self.algebra.norm(x)
         bar = tuple(c * self.den for c in self.algebra.conjugate(x))
-        return self.times(LatticeElement(norm * norm.to_normal, bar), "left").key
+        return self.times(PolynomialElement(norm * norm.to_normal, bar), "left").key
 
 
-def divided_by_least(lattice: PolynomialLattice) -> tuple[set[Key], int]:
+def divided_by_least(lattice: PolynomialLattice) -> tuple[set[PolynomialKey], int]:
     """Return the x⁻¹·I for the x in I with norms of least degree, and how many x modulo GF(q)ˣ each has.
 
     That number is the index of GF(q)ˣ in the units of the left order of I.
@@ -95,7 +102,7 @@ def divided_by_least(lattice: PolynomialLattice) -> tuple[set[Key], int]:
     return found, len(every) // len(found)
 
 
-def with_trace_and_norm_of(order: PolynomialLattice, x: LatticeElement) -> list[Row]:
+def with_trace_and_norm_of(order: PolynomialLattice, x: PolynomialElement) -> list[PolynomialRow]:
     """Return the elements of an order with the trace and the norm of x, as rows over its denominator."""
     algebra = order.algebra
     trace, norm = algebra.trace(x.row)[0] * order.den, algebra.norm(x.row) * order.den**2

@@ -8,7 +8,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 from hfield.checker.glossary import MASS, MASS_OVER_FIELDS, MASS_OVER_POLYNOMIALS, SIEGEL
 from hfield.checker.language import split
@@ -24,17 +23,30 @@ from hfield.checker.number_fields.integers import (
     field_of,
     integer_row,
 )
-from hfield.checker.number_fields.matrices import Key, Row, is_one, lcm, normal, rational_rows, unit
+from hfield.checker.number_fields.matrices import (
+    Key,
+    N,
+    Row,
+    is_one,
+    lcm,
+    normal,
+    rational_rows,
+    unit,
+)
 from hfield.checker.number_fields.modular import echelon
 from hfield.checker.number_fields.narrow_class_groups import NarrowClasses
 from hfield.checker.number_fields.real_numbers import RealPlace
 from hfield.checker.orders import local_types, polynomial_lattices
-from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.algebra import Algebra, PolynomialAlgebra
 from hfield.checker.orders.class_set import divided_by_least
 from hfield.checker.orders.elements import need_definite, trace_and_norm, with_trace_and_norm
-from hfield.checker.orders.lattice import Lattice, LatticeElement
-from hfield.checker.orders.polynomial_integers import FiniteFieldPolynomial, PolynomialIntegers
-from hfield.checker.orders.polynomial_lattices import PolynomialLattice
+from hfield.checker.orders.lattice import Lattice, LatticeElement, LatticeOf
+from hfield.checker.orders.polynomial_integers import PolynomialIntegers, PolynomialRow
+from hfield.checker.orders.polynomial_lattices import (
+    PolynomialElement,
+    PolynomialKey,
+    PolynomialLattice,
+)
 from hfield.checker.orders.real_algebra import RealAlgebra
 from hfield.checker.orders.texts import a_rational, a_whole_number, elements_of, numbers_of
 from hfield.checker.rejection import (
@@ -47,6 +59,8 @@ from hfield.checker.rejection import (
     texts,
 )
 from hfield.checker.scalars.finite import is_prime
+from hfield.checker.scalars.finite_field_polynomials import FiniteFieldPolynomial, RationalFunction
+from hfield.checker.scalars.functions import Fraction as Function
 from hfield.checker.scalars.names import a_rational as a_coefficient
 from hfield.checker.scalars.number_fields import Element as Number
 from hfield.checker.scalars.number_fields import NumberField
@@ -58,8 +72,8 @@ from hfield.checker.statement import Setting
 Data = Mapping[str, object]
 
 
-class Given(ABC):
-    """The parts of a statement and the keys of its evidence, over one base."""
+class Given:
+    """The parts of a statement and the keys of its evidence, over one base; what is cited there."""
 
     unit_theorems: tuple[str, ...] = ()
     """What is cited for the units and the class number of the field."""
@@ -67,50 +81,59 @@ class Given(ABC):
     """What is cited for ζ_K(−1)."""
     mass_theorem = MASS
     class_number = 1
+
+    def __init__(self, data: Data) -> None:
+        self.data = data
+
+
+class OverNumberFields(Given, ABC):
+    """An algebra over ℚ or a number field."""
+
     units: Sequence[Number]
     """The totally positive units modulo squares."""
 
     def __init__(self, setting: Setting, integers: RingOfIntegers, data: Data) -> None:
-        self.algebra, self.data = Algebra(setting, integers), data
+        super().__init__(data)
+        self.algebra = Algebra(setting, integers)
 
     @property
     @abstractmethod
-    def primes(self) -> Any:
+    def primes(self) -> Primes:
         """The primes of the base, known or given, as the mass formula needs them."""
 
     @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
         """Read elements of the statement, as coordinates in the integral basis."""
 
+    @abstractmethod
     def primes_named(self, text: str) -> list[Prime]:
         """Read primes of the statement."""
-        reject("statements over this base name no primes")
 
     @abstractmethod
     def element(self, value: object) -> LatticeElement:
         """Read an element of the evidence."""
 
-    def whole(self, text: str, what: str) -> Any:
+    def whole(self, text: str, what: str) -> int:
         """Read a number by which statements name an integral ideal of the base."""
         return a_whole_number(text, what)
 
-    def fraction(self, text: str) -> Any:
+    def fraction(self, text: str) -> Fraction:
         """Read a number by which statements name an ideal of the base."""
         return a_rational(text)
 
-    def mass(self, order: Any) -> Fraction:
+    def mass(self, order: Lattice) -> Fraction:
         """Return the sum of 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes."""
         return local_types.mass(order, self.primes) * self.class_number
 
-    def divided(self, ideal: Any, scale: Any) -> tuple[set[Key], int]:
+    def divided(self, ideal: Lattice, scale: Number) -> tuple[set[Key], int]:
         """Return the lattices by which a class is recognised, and an index of units."""
         return divided_by_least(self.units, ideal, scale)
 
-    def images(self, order: Any, x: LatticeElement) -> list[Row]:
+    def images(self, order: Lattice, x: LatticeElement) -> list[Row]:
         """Return the elements of an order with the trace and the norm of an element, over its denominator."""
         return with_trace_and_norm(order, *trace_and_norm(self.algebra, x))
 
-    def lattice(self, text: str) -> Any:
+    def lattice(self, text: str) -> Lattice:
         """Read a lattice of the statement."""
         rows, size = self.coordinates(text), self.algebra.size
         if len(rows) != size:
@@ -119,13 +142,10 @@ class Given(ABC):
         _ = found.key  # of full rank
         return found
 
-    def order(self, text: str) -> Any:
+    def order(self, text: str) -> Lattice:
         """Read a lattice that is an order."""
-        found, algebra = self.lattice(text), self.algebra
-        if not found.holds(1, [algebra.number(unit(algebra.n, k)) for k in range(algebra.n)]):
-            reject("this is no order: 1 is not in it, or not all integers of the field")
-        if not found.products_lie_in(found, found):
-            reject("this is no order: a product of two rows is not in it")
+        found = self.lattice(text)
+        _need_order(found)
         return found
 
     def elements(self, text: str) -> list[LatticeElement]:
@@ -151,7 +171,7 @@ class Given(ABC):
         return found
 
 
-class OverQ(Given):
+class OverQ(OverNumberFields):
     """An algebra over ℚ; integral basis, units and primes are those of ℤ."""
 
     def __init__(self, setting: Setting, data: Data) -> None:
@@ -207,7 +227,7 @@ class OverQ(Given):
         return RealAlgebra(self.algebra)
 
 
-class OverField(Given):
+class OverField(OverNumberFields):
     """An algebra over a number field K; the evidence contains a basis of ℤ_K."""
 
     mass_theorem = MASS_OVER_FIELDS
@@ -328,7 +348,7 @@ class OverField(Given):
         algebra = self.algebra
         integers = algebra.integers
         roots = real_roots(integers.field.modulus)
-        first, second = map(integers.number, algebra.signs)
+        first, second = (integers.number([Fraction(c) for c in row]) for row in algebra.signs)
         found = [x for x in roots if x.sign(first) > 0 or x.sign(second) > 0]
         if len(roots) < algebra.n or len(found) != 1:
             reject("groups are of algebras over totally real fields that split at one real place")
@@ -341,15 +361,16 @@ class OverPolynomials(Given):
     mass_theorem = MASS_OVER_POLYNOMIALS
 
     def __init__(self, setting: Setting, data: Data) -> None:
+        super().__init__(data)
         self.polynomials = PolynomialIntegers(setting)
-        super().__init__(setting, self.polynomials, data)
+        self.algebra = PolynomialAlgebra(setting, self.polynomials)
 
     @cached_property
     def primes(self) -> list[tuple[FiniteFieldPolynomial, QuotientField[Hashable]]]:
         """The primes that are given, with their residue fields."""
         return list(map(self.polynomials.prime, texts(self.data["primes"], "the primes")))
 
-    def coordinates(self, text: str) -> Sequence[Sequence[Any]]:
+    def coordinates(self, text: str) -> Sequence[Sequence[Function[Hashable]]]:
         """Read elements between bars, four functions each between commas."""
         field, found = self.polynomials.functions, []
         for entry in split(text, "|"):
@@ -359,7 +380,7 @@ class OverPolynomials(Given):
             found.append([field.read(value.strip()) for value in values])
         return found
 
-    def _rows(self, text: str) -> tuple[Any, tuple[Row, ...]]:
+    def _rows(self, text: str) -> tuple[FiniteFieldPolynomial, tuple[PolynomialRow, ...]]:
         """Read elements as rows over the least denominator."""
         entries = [
             [self.polynomials.coordinates([x]) for x in row] for row in self.coordinates(text)
@@ -377,39 +398,45 @@ class OverPolynomials(Given):
         _ = found.key  # of full rank
         return found
 
-    def element(self, value: object) -> LatticeElement:
+    def order(self, text: str) -> PolynomialLattice:
+        """Read a lattice that is an order."""
+        found = self.lattice(text)
+        _need_order(found)
+        return found
+
+    def element(self, value: object) -> PolynomialElement:
         """Read an element, which is not 0."""
         den, rows = self._rows(a_text(value, "an element"))
         if len(rows) != 1 or not any(rows[0]):
             reject("an element is four functions, not all of them 0")
-        return LatticeElement(den, rows[0])
+        return PolynomialElement(den, rows[0])
 
-    def basis(self, lattice: Lattice, value: object) -> PolynomialLattice:
+    def basis(self, lattice: PolynomialLattice, value: object) -> PolynomialLattice:
         """Read another basis of a lattice."""
         found = self.lattice(a_text(value, "a basis"))
         if found.key != lattice.key:
             reject("these elements are no basis of the lattice that is run through, but of another")
         return found
 
-    def whole(self, text: str, what: str) -> Any:
+    def whole(self, text: str, what: str) -> FiniteFieldPolynomial:
         """Read the monic generator of an integral ideal."""
         found = self.fraction(text)
         if not is_one(found.denominator):
             reject(f"{what} must be a polynomial")
         return found.numerator
 
-    def fraction(self, text: str) -> Any:
+    def fraction(self, text: str) -> RationalFunction:
         """Read the generator of an ideal, a quotient of monic polynomials."""
         den, (top,) = self.polynomials.coordinates([self.polynomials.functions.read(text)])
         if not top or top != normal(top):
             reject("an ideal is written as a quotient of monic polynomials")
         return top.ratio(den)
 
-    def mass(self, order: Any) -> Fraction:
+    def mass(self, order: PolynomialLattice) -> Fraction:
         """Return the sum of 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes."""
         return polynomial_lattices.mass(order, self.primes)
 
-    def divided(self, ideal: Any, scale: Any) -> tuple[set[Key], int]:
+    def divided(self, ideal: PolynomialLattice, scale: None) -> tuple[set[PolynomialKey], int]:
         """Return the lattices by which a class is recognised, and an index of units."""
         return polynomial_lattices.divided_by_least(ideal)
 
@@ -418,7 +445,7 @@ class OverPolynomials(Given):
         for value in values:
             yield self.lattice(a_text(value, "an ideal")), None, 0
 
-    def images(self, order: Any, x: LatticeElement) -> list[Row]:
+    def images(self, order: PolynomialLattice, x: PolynomialElement) -> list[PolynomialRow]:
         """Return the elements of an order with the trace and the norm of an element, over its denominator."""
         return polynomial_lattices.with_trace_and_norm_of(order, x)
 
@@ -441,3 +468,12 @@ def _need_module(lattice: Lattice) -> None:
     for by in algebra.integers.table:
         if not lattice.holds(lattice.den, [algebra.blockwise(x, by) for x in lattice.rows]):
             reject("a lattice is no module over the integers of the field")
+
+
+def _need_order(lattice: LatticeOf[N]) -> None:
+    """Reject a lattice that is no order."""
+    algebra = lattice.algebra
+    if not lattice.holds(algebra.integers.zero + 1, algebra.basis):
+        reject("this is no order: 1 is not in it, or not all integers of the field")
+    if not lattice.products_lie_in(lattice, lattice):
+        reject("this is no order: a product of two rows is not in it")

@@ -5,7 +5,7 @@ Each check takes a reader, which knows the evidence, and the parts of the statem
 
 from fractions import Fraction
 from functools import cache, partial
-from typing import Any
+from typing import TypeVar
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import (
@@ -24,19 +24,20 @@ from hfield.checker.glossary import (
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.ideals import index
 from hfield.checker.number_fields.matrices import (
+    N,
     Row,
-    Rows,
-    determinant,
+    RowsOf,
     inverse,
+    is_singular,
     lcm,
     ratio,
     times,
 )
-from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.algebra import AlgebraOf
 from hfield.checker.orders.class_set import need_class_set, need_ideal
 from hfield.checker.orders.elements import of_norm, with_trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
-from hfield.checker.orders.lattice import Lattice, LatticeElement
+from hfield.checker.orders.lattice import ElementOf, Lattice, LatticeOf
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
@@ -47,15 +48,16 @@ from hfield.checker.orders.texts import (
     words_of,
 )
 from hfield.checker.rejection import a_list, an_integer, reject
+from hfield.checker.scalars.finite_field_polynomials import RationalFunction
 
 Parts = tuple[str, ...]
 Given = OverQ | OverField
-AnyGiven = Given | OverPolynomials
+G = TypeVar("G", OverQ, OverField, OverPolynomials)
 
 # --- orders and ideals ------------------------------------------------------------------------------
 
 
-def is_order(given: AnyGiven, parts: Parts) -> CheckResult:
+def is_order(given: G, parts: Parts) -> CheckResult:
     """Check that O is an order of this discriminant, and maximal if the statement says so."""
     order = given.order(parts[0])
     if order.discriminant != given.whole(parts[1], "a discriminant"):
@@ -69,7 +71,7 @@ def is_order(given: AnyGiven, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ORDER)
 
 
-def is_ideal(given: AnyGiven, parts: Parts) -> CheckResult:
+def is_ideal(given: G, parts: Parts) -> CheckResult:
     """Check that I is a locally principal ideal of the order, of this norm."""
     ideal = given.lattice(parts[0])
     need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
@@ -97,7 +99,7 @@ def has_unit_index(given: OverPolynomials, parts: Parts) -> CheckResult:
 # --- what carries one to the other ------------------------------------------------------------------
 
 
-def are_equivalent(given: AnyGiven, parts: Parts) -> CheckResult:
+def are_equivalent(given: G, parts: Parts) -> CheckResult:
     """Check an equivalence: J = I·c for the left side, c·I for the right."""
     side, c = a_side(parts[0]), given.element(given.data["element"])
     first, second = map(given.lattice, parts[1:])
@@ -133,13 +135,13 @@ def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckR
     first, second = map(given.lattice, parts[1:])
     between = given.basis(first.into(second, side), given.data["between"])
     for x in between.least():
-        moved = first.times(LatticeElement(between.den, x), "right" if side == "left" else "left")
+        moved = first.times(ElementOf(between.den, x), "right" if side == "left" else "left")
         if moved.key == second.key:
             reject("an element carries the first lattice to the second")
     return CheckResult(FIELD, ENUMERATION)
 
 
-def are_isomorphic(given: AnyGiven, parts: Parts) -> CheckResult:
+def are_isomorphic(given: G, parts: Parts) -> CheckResult:
     """Check an isomorphism P = x·O·x⁻¹; x must not be a zero divisor."""
     first, second = map(given.order, parts)
     x = given.element(given.data["element"])
@@ -166,7 +168,7 @@ def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ENUMERATION)
 
 
-def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
+def have_no_images(given: G, parts: Parts) -> CheckResult:
     """Check that there is no isomorphism: no images of two generators of the algebra fit."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"pair", "order"}):
@@ -176,12 +178,12 @@ def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
     if len(pair) != 2 or not all(first.holds(x.den, [x.row]) for x in pair):
         reject("a pair is two elements of the first order")
     den, span = _spanned(algebra, *pair)
-    if not determinant(span):
+    if is_singular(span):
         reject("the two elements do not generate the algebra")
     back, det = inverse(span)
     # the rows of the first order are combinations of the span, over den_first·det/den
     relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
-    images = [[LatticeElement(second.den, y) for y in given.images(second, x)] for x in pair]
+    images = [[ElementOf(second.den, y) for y in given.images(second, x)] for x in pair]
     wanted = _pairing(algebra, *pair)
     for x in images[0]:
         for y in images[1]:
@@ -194,7 +196,10 @@ def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
 
 
 def _have_other_discriminants(
-    given: AnyGiven, first: Lattice, second: Lattice, keys: set[str]
+    given: OverQ | OverField | OverPolynomials,
+    first: LatticeOf[N],
+    second: LatticeOf[N],
+    keys: set[str],
 ) -> bool:
     """Return whether the discriminants differ; the evidence has these keys where they do not, and else
     none.
@@ -216,17 +221,19 @@ def with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[
     )
 
 
-def _pairing(algebra: Algebra, x: LatticeElement, y: LatticeElement) -> list[Any]:
+def _pairing(
+    algebra: AlgebraOf[N], x: ElementOf[N], y: ElementOf[N]
+) -> list[Fraction] | list[RationalFunction]:
     """Return tr(x·conj(y)) in the integral basis."""
     den = x.den * y.den * algebra.scale
     return [ratio(c, den) for c in algebra.pairing(x.row, y.row)]
 
 
-def _spanned(algebra: Algebra, a: LatticeElement, b: LatticeElement) -> tuple[int, Rows]:
+def _spanned(algebra: AlgebraOf[N], a: ElementOf[N], b: ElementOf[N]) -> tuple[N, RowsOf[N]]:
     """Return the products of the integral basis with 1, a, b and ab, as rows over a denominator."""
     ab = times([b.row], algebra.left(a.row))[0]
-    one = LatticeElement(1, algebra.number(algebra.integers.one))
-    every = (one, a, b, LatticeElement(a.den * b.den * algebra.scale, ab))
+    one = ElementOf(algebra.integers.zero + 1, algebra.number(algebra.integers.one))
+    every = (one, a, b, ElementOf(a.den * b.den * algebra.scale, ab))
     den = lcm(*(x.den for x in every))
     return den, tuple(
         algebra.blockwise([c * (den // x.den) for c in x.row], by)
@@ -238,7 +245,7 @@ def _spanned(algebra: Algebra, a: LatticeElement, b: LatticeElement) -> tuple[in
 # --- classes, and units of norm 1 ---------------------------------------------------------------------
 
 
-def is_class_set(given: AnyGiven, parts: Parts) -> CheckResult:
+def is_class_set(given: G, parts: Parts) -> CheckResult:
     """Check the number of classes of locally principal right ideals of the order."""
     values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
     if len(values) != a_whole_number(parts[1], "the number of classes"):

@@ -22,12 +22,12 @@ over the polynomials.
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TypeVar
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
 from hfield.checker.orders import embeddings, newforms, statements
-from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
+from hfield.checker.orders.reading import Data, OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
     a_side,
@@ -40,12 +40,13 @@ from hfield.checker.orders.texts import (
 from hfield.checker.rejection import an_object, kind_of, reject, shown
 from hfield.checker.statement import Setting
 
-Check = Callable[[Any, tuple[str, ...]], CheckResult]
-Evidence = dict[tuple[str, str], tuple[Check, str, str]]
+B = TypeVar("B", OverQ, OverField, OverPolynomials)
+Check = Callable[[B, tuple[str, ...]], CheckResult]
+Evidence = dict[tuple[str, str], tuple[Check[B], str, str]]
 """Of a word and a verdict: the check, the keys of the evidence, and those that may be left out."""
 
 NEWFORMS = "above neighbours operator modulus orbits"
-OVER_Q: Evidence = {
+OVER_Q: Evidence[OverQ] = {
     ("order", "proved"): (statements.is_order, "", ""),
     ("ideal", "proved"): (statements.is_ideal, "", ""),
     ("equivalent", "proved"): (statements.are_equivalent, "element", ""),
@@ -61,7 +62,7 @@ OVER_Q: Evidence = {
     ("newforms", "proved"): (newforms.are_newforms, f"classes {NEWFORMS}", ""),
 }
 UNITS = "units fundamental"
-OVER_FIELDS: Evidence = {
+OVER_FIELDS: Evidence[OverField] = {
     ("order-over-integers", "proved"): (statements.is_order, "basis", ""),
     ("ideal-over-integers", "proved"): (statements.is_ideal, "basis", ""),
     ("equivalent-over-integers", "proved"): (statements.are_equivalent, "basis element", ""),
@@ -81,7 +82,7 @@ OVER_FIELDS: Evidence = {
     ),
 }  # fmt: skip
 
-OVER_POLYNOMIALS: Evidence = {
+OVER_POLYNOMIALS: Evidence[OverPolynomials] = {
     ("order-over-polynomials", "proved"): (statements.is_order, "", ""),
     ("ideal-over-polynomials", "proved"): (statements.is_ideal, "", ""),
     ("equivalent-over-polynomials", "proved"): (statements.are_equivalent, "element", ""),
@@ -143,17 +144,27 @@ def establish_order(
     word: str, parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
     """Check the evidence for a statement about orders."""
-    kind, checks = kind_of(evidence), OVER_Q | OVER_FIELDS | OVER_POLYNOMIALS
-    if kind != word or (word, verdict) not in checks:
-        reject(f"evidence of the kind {shown(kind)!r} does not show that {word} is {verdict}")
-    check, keys, optional = checks[word, verdict]
+    kind, said = kind_of(evidence), (word, verdict)
+    if kind == word and said in OVER_POLYNOMIALS:
+        return _established(OVER_POLYNOMIALS[said], OverPolynomials, parts, setting, evidence)
+    if kind == word and said in OVER_FIELDS:
+        return _established(OVER_FIELDS[said], OverField, parts, setting, evidence)
+    if kind == word and said in OVER_Q:
+        order_meaning(word, parts)
+        return _established(OVER_Q[said], OverQ, parts, setting, evidence)
+    reject(f"evidence of the kind {shown(kind)!r} does not show that {word} is {verdict}")
+
+
+def _established(
+    shown_by: tuple[Check[B], str, str],
+    reader: Callable[[Setting, Data], B],
+    parts: tuple[str, ...],
+    setting: Setting,
+    evidence: object,
+) -> CheckResult:
+    check, keys, optional = shown_by
     data = an_object(evidence, f"kind {keys}", "the evidence", optional)
-    if (word, verdict) in OVER_POLYNOMIALS:
-        return check(OverPolynomials(setting, data), parts)
-    if word not in PARTS:
-        return check(OverField(setting, data), parts)
-    order_meaning(word, parts)
-    return check(OverQ(setting, data), parts)
+    return check(reader(setting, data), parts)
 
 
 def order_meaning(word: str, parts: tuple[str, ...]) -> Tree:

@@ -120,6 +120,10 @@ class NumberField(Ring[Element]):
         """Return the generator."""
         return self.generator if tree == self.tree else None
 
+    def coefficients(self, x: Element) -> Element:
+        """Return the element, which is its coefficients."""
+        return x
+
     # --- real places -----------------------------------------------------------------------------
 
     def signs(self, x: Element) -> tuple[int | None, ...]:

@@ -50,6 +50,10 @@ class Quadratic(Surds):
         """Return the signs of a + b·√d and of a − b·√d."""
         return self.sign(x), self.sign(tuple((key, -c if key else c) for key, c in x))
 
+    def coefficients(self, x: Surd) -> tuple[Fraction, ...]:
+        """Return u and v for u + v·√d."""
+        return pair(x)
+
     def is_square(self, x: Surd) -> bool:
         """Return whether u + v·√d is a square: its norm is a square r², and one of (u ± r)/2 is one."""
         u, v = pair(x)

@@ -54,6 +54,10 @@ class Rationals(Ring[Fraction]):
         """Return the sign of x."""
         return (x > 0) - (x < 0)
 
+    def coefficients(self, x: Fraction) -> tuple[Fraction, ...]:
+        """Return the number alone."""
+        return (x,)
+
     def maps_modulo(self, n: int) -> bool:
         """Return whether this is ℤ."""
         return self.name == "ZZ"

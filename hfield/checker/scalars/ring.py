@@ -149,6 +149,10 @@ class Ring(ABC, Generic[E]):
         """Return the field of values of functions at a point, and the evaluation map."""
         reject(f"the elements of {self.name} have no values at points here")
 
+    def coefficients(self, x: E) -> tuple[Fraction, ...]:
+        """Return the coefficients of the powers of the generator in an element of a number field."""
+        reject(f"the elements of {self.name} have no coefficients over QQ here")
+
     def maps_modulo(self, n: int) -> bool:
         """Return whether the classes modulo n of the ring are ℤ/n."""
         return False
