@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import Any
+from typing import Protocol
 
 from hfield.checker.glossary import SCHEMA
 
@@ -97,24 +97,25 @@ class Evidence:
     """Evidence of a kind, with its values by their names, in the order in which JSON has them."""
 
     kind: Kind
-    values: Mapping[str, Any]
+    values: Mapping[str, object]
 
-    def __init__(self, kind: str, **values: Any) -> None:
+    def __init__(self, kind: str, **values: object) -> None:
         self.kind, self.values = Kind(kind), values
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> object:
         return self.values[name]
 
-    def over(self, ring: Mapping[str, Any] | None) -> "Evidence":
+    def over(self, ring: Mapping[str, object] | None) -> "Evidence":
         """Return the same with the ring that it is about, where the statement is about all."""
         return Evidence(self.kind, **{**self.values, "ring": ring})
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, object]:
         """Return the evidence as JSON data."""
-        return {"kind": self.kind.value, **_plain(self.values)}
+        values = {name: _plain(x) for name, x in self.values.items()}
+        return {"kind": self.kind.value, **values}
 
 
-def _plain(x: Any) -> Any:
+def _plain(x: object) -> object:
     match x:
         case Evidence():
             return x.to_json()
@@ -141,7 +142,7 @@ def certificate(
     statement: str,
     algebra: str,
     field: str | None,
-    ring: Mapping[str, Any] | None,
+    ring: Mapping[str, object] | None,
     verdict: str,
     method: str,
     assumes: Sequence[str],
@@ -172,17 +173,35 @@ def why_rejected(data: dict[str, object]) -> str | None:
     return None
 
 
+class NamedRing(Protocol):
+    """A ring as certificates name it; ``data`` is None for a ring that they cannot."""
+
+    name: str
+
+    @property
+    def data(self) -> Mapping[str, object] | None:
+        """The data from which the checker makes the ring."""
+
+
+class NamedAlgebra(Protocol):
+    """An algebra as certificates name it: by its text, over its ring."""
+
+    @property
+    def ring(self) -> NamedRing:
+        """The ring."""
+
+
 @dataclass(frozen=True)
 class CertifiedClaim:
     """A statement with its evidence; ``algebra`` is one, or a text with ``ring`` beside it."""
 
-    algebra: Any
+    algebra: NamedAlgebra | str
     statement: str
-    evidence: dict[str, Any]
+    evidence: dict[str, object]
     method: str
     verdict: str = "proved"
     assumes: tuple[str, ...] = ()
-    ring: Any = None
+    ring: NamedRing | None = None
     refusal: str | None = None
     """Why the checker is not asked, where it cannot know what this is about."""
 
@@ -198,8 +217,13 @@ class CertifiedClaim:
 
     @property
     def _data(self) -> dict[str, object]:
-        ring = self.ring or self.algebra.ring
-        shown = (self.verdict, self.method, self.assumes, Evidence(**self.evidence))
+        ring = self.ring
+        if ring is None:
+            assert not isinstance(self.algebra, str), "a text has its ring beside it"
+            ring = self.algebra.ring
+        values = {name: x for name, x in self.evidence.items() if name != "kind"}
+        evidence = Evidence(str(self.evidence["kind"]), **values)
+        shown = (self.verdict, self.method, self.assumes, evidence)
         return certificate(self.statement, str(self.algebra), ring.name, ring.data, *shown)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 if TYPE_CHECKING:
     from hfield.evidence import CertifiedClaim
@@ -71,7 +71,7 @@ class Verdict(Generic[W]):
             return self.value == other
         return type(other) is type(self) and self._key() == other._key()
 
-    def _key(self) -> tuple[Any, ...]:
+    def _key(self) -> tuple[object, ...]:
         return tuple(getattr(self, entry.name) for entry in fields(self) if entry.compare)
 
     def __hash__(self) -> int:

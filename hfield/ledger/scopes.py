@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 from hfield.checker.glossary import (
     NO_MEANING,
@@ -103,7 +102,8 @@ def by_lemmas(everywhere: Proposition) -> Decision:
     decision = everywhere.decide(None)
     if decision.verdict != "proved" or decision.evidence is None:
         return decision
-    parts = decision.evidence["parts"] if decision.evidence.kind is Kind.PARTS else ()
+    parts = decision.evidence["parts"] if decision.evidence.kind is Kind.PARTS else []
+    assert isinstance(parts, list)
     proofs = [part["evidence"] for part in parts]
     return replace(decision, evidence=Evidence(Kind.LEMMAS, proofs=proofs))
 
@@ -115,7 +115,7 @@ def search_panel(proposition: Proposition) -> Decision:
             continue
         decision = proposition.decide(ring(name))
         if decision.verdict == "refuted":
-            witness: dict[str, Any] = {"F": [name], **(decision.witness or {})}
+            witness = {"F": [name], **(decision.witness or {})}
             steps = (say("fails-over", F=name), *decision.steps)
             evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=decision.evidence)
             return replace(decision, witness=witness, steps=steps, evidence=evidence)

@@ -396,7 +396,7 @@ class _Rational:
     def class_set(self, classes: Classes) -> CertifiedClaim:
         order, base = classes.order, self.ambient.base
         lattices = map(classes.lattice, range(len(classes)))
-        shown = {
+        shown: dict[str, object] = {
             "kind": "class-set",
             "classes": [_basis(I, base.inside(I.norm)) for I in lattices],
         }

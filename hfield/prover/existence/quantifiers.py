@@ -181,9 +181,11 @@ def by_zero_or_not(problem: Problem) -> Decision | None:
             )
             if proof is None or proof.evidence is None:
                 break
-            terms = tuple(proof.evidence["terms"].items())
-            inside = replace(proof, evidence=proof.evidence["proof"])
-            found.append((Case(to_text(when), terms), inside))
+            terms, evidence = proof.evidence["terms"], proof.evidence["proof"]
+            assert isinstance(terms, dict)
+            assert isinstance(evidence, Evidence)
+            inside = replace(proof, evidence=evidence)
+            found.append((Case(to_text(when), tuple(terms.items())), inside))
         else:
             cases = [case for case, _ in found]
             cover = universal.decide(_covering(problem, cases))

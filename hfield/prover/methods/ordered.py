@@ -84,8 +84,8 @@ def decide(problem: Problem, tried: Callable[[Problem], Decision]) -> Decision:
 def _sums(decision: Decision) -> Iterator[str]:
     """Yield the sums of squares that the evidence shows to be 0, so that every square is 0."""
     evidence = decision.evidence
-    items = evidence.values.get("items", ()) if evidence is not None else ()
-    for item in items:
+    items = evidence.values.get("items") if evidence is not None else None
+    for item in items if isinstance(items, list) else ():
         for step in item.get("steps", ()):
             terms = step.get("terms", ())
             if step["step"] == SQUARES and len(terms) <= MAX_SQUARES:
