@@ -7,46 +7,97 @@ computed.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence, Set
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from fractions import Fraction
 from math import gcd
-from typing import Any
+from typing import Generic, Protocol, Self, TypeVar, runtime_checkable
 
 from hfield.algebra import QuaternionAlgebra
 from hfield.core.executors import unordered
 from hfield.core.factorisation import factorise
 from hfield.core.journal import Row
+from hfield.core.product import Scalar
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
 from hfield.orders import mass_formula
 
-Pair = tuple[Any, Any]
+X = TypeVar("X", int, str)
+Pair = tuple[X, X]
+"""The discriminant and the level of an order, or the texts of a field and a level."""
 PIECE = 8
 """Pairs that are computed at one place, one after the other."""
 
 
+class IdealOfField(Protocol):
+    """A fractional ideal of a number field."""
+
+    @property
+    def generators(self) -> Sequence[Scalar]:
+        """Generators of the ideal."""
+
+    def norm(self) -> Fraction | int:
+        """Return the norm."""
+
+    def __add__(self, other: Self, /) -> Self: ...
+    def __mul__(self, other: Self, /) -> Self: ...
+    def __pow__(self, exponent: int, /) -> Self: ...
+
+
+class PrimeOfField(Hashable, Protocol):
+    """A prime ideal of a number field, with its residue degree."""
+
+    f: int
+
+    def norm(self) -> int:
+        """Return the norm."""
+
+
+@runtime_checkable
+class FieldWithIdeals(Protocol):
+    """A number field."""
+
+    name: str
+
+    @property
+    def degree(self) -> int:
+        """The degree over ℚ."""
+
+    def ideal(self, *generators: object) -> IdealOfField:
+        """Return the ideal that elements and ideals generate."""
+
+    def primes_above(self, p: int) -> Sequence[PrimeOfField]:
+        """Return the prime ideals above a prime number."""
+
+    def real_places(self) -> Sequence[Hashable]:
+        """Return the real places."""
+
+    def text(self, x: Scalar) -> str:
+        """Return the text of an element."""
+
+
 @dataclass(frozen=True)
-class Survey:
+class Survey(Generic[X]):
     """The row of one pair; ``names`` are the keys that identify the pair."""
 
-    row: Callable[[Pair, int], Row]
+    row: Callable[[Pair[X], int], Row]
     names: tuple[str, str]
 
 
-def definite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair]:
+def definite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair[int]]:
     """Return the pairs (D, N) of a definite algebra and a level prime to its discriminant."""
     return _pairs(discriminants, levels, 1)
 
 
-def indefinite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair]:
+def indefinite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair[int]]:
     """Return the pairs (D, N) of an indefinite algebra and a level prime to its discriminant."""
     return _pairs(discriminants, levels, 0)
 
 
-def _pairs(discriminants: Iterable[int], levels: Iterable[int], parity: int) -> list[Pair]:
+def _pairs(discriminants: Iterable[int], levels: Iterable[int], parity: int) -> list[Pair[int]]:
     wanted = list(levels)
-    found: list[Pair] = []
+    found: list[Pair[int]] = []
     for d in discriminants:
         primes = factorise(d) if d > 1 else {}
         if len(primes) % 2 == parity and max(primes.values(), default=1) == 1:
@@ -54,15 +105,15 @@ def _pairs(discriminants: Iterable[int], levels: Iterable[int], parity: int) -> 
     return found
 
 
-def field_pairs(fields: Iterable[str], norms: Iterable[int]) -> list[Pair]:
+def field_pairs(fields: Iterable[str], norms: Iterable[int]) -> list[Pair[str]]:
     """Return the pairs of a field and a level, an ideal with one of these norms, prime to the discriminant.
 
     The algebra is ramified at the real places, and for an odd number of them at a prime over 2 of least norm.
     """
     wanted, found = list(norms), []
     for name in fields:
-        K: Any = ring(name)
-        D: Any = _definite(name).maximal_order().discriminant()
+        K = _number_field(name)
+        D = K.ideal(_definite(name).maximal_order().discriminant())
         for n in wanted:
             levels = [K.ideal(1)]
             for p, e in factorise(n).items() if n > 1 else ():
@@ -72,7 +123,7 @@ def field_pairs(fields: Iterable[str], norms: Iterable[int]) -> list[Pair]:
     return found
 
 
-def _of_prime_power(K: Any, p: int, e: int) -> list[Any]:
+def _of_prime_power(K: FieldWithIdeals, p: int, e: int) -> list[IdealOfField]:
     """Return the ideals of norm pᵉ."""
     found = [(K.ideal(1), 0)]
     for P in K.primes_above(p):
@@ -81,25 +132,33 @@ def _of_prime_power(K: Any, p: int, e: int) -> list[Any]:
     return [a for a, s in found if s == e]
 
 
+def _number_field(name: str) -> FieldWithIdeals:
+    found = ring(name)
+    if not isinstance(found, FieldWithIdeals):
+        raise HFieldError(f"{name} is not a number field: expected one such as QQ(sqrt(5))")
+    return found
+
+
 def _definite(name: str) -> QuaternionAlgebra:
-    K: Any = ring(name)
+    K = _number_field(name)
     places = list(K.real_places())
     if len(places) < K.degree:
         raise HFieldError(f"{name} is not totally real: over it no algebra is totally definite")
     if len(places) % 2:
-        places.append(min(K.primes_above(2), key=lambda P: P.norm()))
-    return QuaternionAlgebra.from_ramification(K, places)
+        least: Hashable = min(K.primes_above(2), key=lambda P: P.norm())
+        places.append(least)
+    return QuaternionAlgebra.from_ramification(name, places)
 
 
-def field_row(pair: Pair, most: int) -> Row:
+def field_row(pair: Pair[str], most: int) -> Row:
     """Return the classes of an order over the integers of a field, unless their mass is above ``most``."""
     name, text = pair
-    A: Any = _definite(name)
-    order = A.eichler_order(A.ring.ideal([A.ring(word) for word in text.split(", ")]))
+    A, K = _definite(name), _number_field(name)
+    order = A.eichler_order(K.ideal([A.ring(word) for word in text.split(", ")]))
     found: Row = {
         "field": name,
         "level": text,
-        "norm": int(order.level.norm()),
+        "norm": int(K.ideal(order.level).norm()),
         "algebra": A.name,
         "mass": str(order.mass()),
         "class_number": None,
@@ -117,11 +176,11 @@ def field_row(pair: Pair, most: int) -> Row:
     return found
 
 
-def group_row(pair: Pair, most: int) -> Row:
+def group_row(pair: Pair[int], most: int) -> Row:
     """Return the group of units of norm 1 of an Eichler order over ℤ; its domain for areas up to 2π·most."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)) if d > 1 else [])
-    G: Any = A.eichler_order(n).norm_one_group()
+    G = A.eichler_order(n).norm_one_group()
     genus, orders, cusps = G.signature
     found: Row = {
         "discriminant": d,
@@ -143,7 +202,7 @@ def group_row(pair: Pair, most: int) -> Row:
     return found
 
 
-def row(pair: Pair, most: int) -> Row:
+def row(pair: Pair[int], most: int) -> Row:
     """Return the invariants of the classes of (D, N); at most ``most`` classes are enumerated."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)))
@@ -174,17 +233,24 @@ FIELDS = Survey(field_row, ("field", "level"))
 GROUPS = Survey(group_row, ("discriminant", "level"))
 
 
-def rows(task: tuple[Survey, list[Pair], int]) -> list[Row]:
+def rows(task: tuple[Survey[X], list[Pair[X]], int]) -> list[Row]:
     """Return the rows of a piece."""
     survey, pairs, most = task
     return [survey.row(pair, most) for pair in pairs]
 
 
-def run(
-    executor: Executor, pairs: list[Pair], most: int, done: set[Pair], survey: Survey = CLASSES
-) -> Iterator[list[Row]]:
-    """Yield the rows of the pairs that are not done, a piece at a time, as they are finished."""
-    missing = [pair for pair in pairs if pair not in done]
-    pieces = [(survey, missing[n : n + PIECE], most) for n in range(0, len(missing), PIECE)]
-    for _, found in unordered(executor, rows, pieces):
-        yield found
+@dataclass(frozen=True)
+class Plan(Generic[X]):
+    """A survey, and the pairs for which it is to have rows."""
+
+    survey: Survey[X]
+    pairs: list[Pair[X]]
+
+    def run(self, executor: Executor, most: int, done: Set[object]) -> Iterator[list[Row]]:
+        """Yield the rows of the pairs that are not done, a piece at a time, as they are finished."""
+        missing = [pair for pair in self.pairs if pair not in done]
+        pieces = [
+            (self.survey, missing[n : n + PIECE], most) for n in range(0, len(missing), PIECE)
+        ]
+        for _, found in unordered(executor, rows, pieces):
+            yield found

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.maps import matrix_text
+from hfield.core.product import Scalar
 from hfield.errors import shorten
 from hfield.fields.base.printing import is_sum, number_text, parentheses
 from hfield.fields.base.ring import Ring
@@ -84,7 +85,7 @@ def _field(d: Description) -> list[tuple[str, str]]:
     return rows
 
 
-def _lattice(F: Ring, basis: Iterable[Any]) -> str:
+def _lattice(F: Ring, basis: Iterable[Scalar]) -> str:
     """Write what elements of a number field span over ℤ."""
     return f"ℤ⟨{', '.join(F.text(x, 'unicode') for x in basis)}⟩"
 

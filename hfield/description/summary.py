@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any
+from typing import TypeVar
 
 from hfield.algebra import H, QuaternionAlgebra
 from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import Factors, known_primes
+from hfield.core.product import Scalar
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.fields import quadratic_forms
 from hfield.fields.base.ring import INFINITY, Ring, WithIntegers
@@ -20,6 +21,7 @@ from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.notation import element_text, generic
 from hfield.orders.lattice import Order
 
+T = TypeVar("T")
 SCHEMA = "hfield-info/1"
 ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second
 
@@ -50,14 +52,14 @@ class Description:
     assumes: tuple[str, ...] = ()
     zero_norm: Quaternion | None = None
     splitting: Splitting | None = None
-    ramified: tuple[Any, ...] | None = None
-    discriminant: Any = None
+    ramified: tuple[object, ...] | None = None
+    discriminant: object = None
     order: Order | None = None
     units: int | None = None
-    integers: tuple[Any, ...] | None = None
+    integers: Sequence[Scalar] | None = None
     undecided: dict[str, str] = field(default_factory=dict)
 
-    def ask(self, name: str, question: Callable[[], Any]) -> Any:
+    def ask(self, name: str, question: Callable[[], T]) -> T | None:
         """Return the answer, or None after noting why the question was not decided."""
         try:
             return question()
@@ -236,7 +238,7 @@ def _known_division(d: Description) -> bool | None:
     places = None if d.ramified is None else global_field(d.algebra.ring)
     if places is not None and places.splits_if_unramified:
         return False
-    return d.ask("division", d.algebra.is_division_algebra)  # type: ignore[no-any-return]
+    return d.ask("division", d.algebra.is_division_algebra)
 
 
 def _ramify(d: Description) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any
 
 from flint import arb
 
@@ -12,6 +11,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.fields.base.balls import precision
 from hfield.fuchsian.plane import CENTER, Motion, Plane, Vector, apply, dot, meeting
+from hfield.orders.base_values import BaseNumber
 
 
 class Polygon:
@@ -126,9 +126,8 @@ class Polygon:
             self.plane.order.ball,
         )
 
-        def product(
-            x: Vector, y: Vector
-        ) -> Any:  # of forms: that of their normals, positive on lines
+        def product(x: Vector, y: Vector) -> BaseNumber:
+            """Return the product of the normals of forms, which is positive on lines."""
             return -(x[0] * y[0] / norms[0] + x[1] * y[1] / norms[1] + x[2] * y[2] / norms[2])
 
         cosine = product(f, g)

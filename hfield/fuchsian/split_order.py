@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import prod
-from typing import Any
 
 from flint import arb, fmpq, fmpq_mat
 
@@ -15,6 +14,7 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
 from hfield.evidence import CertifiedClaim
 from hfield.fuchsian import area
 from hfield.orders import certificates
+from hfield.orders.base_values import BaseIdeal, BaseNumber
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.lattice_values import (
@@ -32,7 +32,7 @@ MAX_IDEALS = 10_000
 """Products of a class of ideals and of two-sided primes, at most."""
 SCALES = 20
 """So many numbers are looked at to find one of small norm in an ideal."""
-TwoSided = tuple[Sequence[Quaternion], Any]
+TwoSided = tuple[Sequence[Quaternion], BaseNumber]
 """A basis over ℤ of a two-sided ideal, and an exact number that generates its norm."""
 
 
@@ -77,27 +77,27 @@ class SplitOrder:
 
     # --- numbers -----------------------------------------------------------------------------------
 
-    def scalar(self, x: Any) -> Any:
+    def scalar(self, x: object) -> BaseNumber:
         """Return a number of the base field as an exact number."""
         return self.base.inside(x)
 
-    def sign(self, x: Any) -> int:
+    def sign(self, x: BaseNumber) -> int:
         """Return the sign of an exact number at the place, −1, 0 or 1."""
         return self.base.sign(x, self.place)
 
-    def real(self, x: Any) -> float:
+    def real(self, x: BaseNumber) -> float:
         """Return about the value of an exact number at the place."""
         return self.base.real(x, self.place)
 
-    def ball(self, x: Any) -> arb:
+    def ball(self, x: BaseNumber) -> arb:
         """Return a ball around the value, with flint's present precision."""
         return self.base.ball(x, self.place)
 
-    def values_at_other_places(self, x: Any) -> list[float]:
+    def values_at_other_places(self, x: BaseNumber) -> list[float]:
         """Return about the values at the other real places, where the norm is definite."""
         return [self.base.real(x, v) for v in self.base.real_places if v != self.place]
 
-    def root(self, x: Any) -> Any:
+    def root(self, x: BaseNumber) -> BaseNumber | None:
         """Return a square root of an exact number, as one of the base ring, or None."""
         return self.base.square_root(x)
 
@@ -109,7 +109,7 @@ class SplitOrder:
         scales, base = self.base.short_elements(into, SCALES), self.base
         norm = self.scalar(x.norm())
 
-        def size(c: Any) -> tuple[int, fmpq]:
+        def size(c: BaseNumber) -> tuple[int, fmpq]:
             return base.absolute_norm(base.principal(c) / into), base.trace(c * c * norm)
 
         found: Quaternion = x * base.outside(min(scales, key=size))
@@ -179,12 +179,12 @@ class SplitOrder:
             found += some
         return found
 
-    def written(self, g: Quaternion) -> Any:
+    def written(self, g: Quaternion) -> object:
         """Return an element as evidence has it."""
         return certificates.element_json(self.order.ambient, g)
 
     def claim(
-        self, word: str, parts: list[str], shown: dict[str, Any], *cited: str
+        self, word: str, parts: list[str], shown: dict[str, object], *cited: str
     ) -> CertifiedClaim:
         """Return a statement about the order that begins with a word, with its evidence."""
         return certificates.of_units(self.order, word, parts, shown, *cited)
@@ -237,7 +237,7 @@ class TwoSidedIdeals:
                 f"{len(self.primes)} prime ideals: at most {MAX_IDEALS} products are examined"
             )
 
-    def norm(self, chosen: int) -> Any:
+    def norm(self, chosen: int) -> BaseIdeal:
         """Return the norm of a product of J_P."""
         some = (p for k, p in enumerate(self.powers) if chosen >> k & 1)
         return prod(some, start=self.base.one)

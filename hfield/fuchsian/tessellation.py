@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hfield.fuchsian.search import Sight
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from hfield.fuchsian.group import Domain
 
 SMALLEST = 0.012
@@ -36,9 +38,10 @@ class Tile:
     """The greater of width and height in the unit disc."""
 
 
-def move(a: complex, b: complex, points: Any) -> Any:
+def move(a: complex, b: complex, points: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """Return the images of complex numbers of the disc."""
-    return (a * points + b) / (np.conj(b) * points + np.conj(a))
+    images: NDArray[np.complex128] = (a * points + b) / (np.conj(b) * points + np.conj(a))
+    return images
 
 
 def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:

@@ -172,6 +172,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["survey"], "or --field F"),
         (["survey", "2..5", "--field", "QQ(sqrt(5))"], "leave D and --groups out"),
         (["survey", "--field", "QQ(I)"], "not totally real"),
+        (["survey", "--field", "GF(5)"], "GF(5) is not a number field"),
         (["survey", "5..2"], "ascending"),
         (["survey", "2..100000000"], "at most 1000000 of them"),
         (["survey", "2..1000", "--levels", "1..1000000"], "are more than 1000000 pairs"),
@@ -191,7 +192,7 @@ def test_bad_input(capsys, tmp_path, monkeypatch, words, hint):
 
 def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_path, monkeypatch):
     rows = tmp_path / "rows.jsonl"
-    whole, found = surveys.run, []
+    whole, found = surveys.Plan.run, []
 
     def stopped(*words):
         yield next(iter(whole(*words)))
@@ -202,14 +203,14 @@ def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_p
             found.extend(some)
             yield some
 
-    monkeypatch.setattr(surveys, "run", stopped)
+    monkeypatch.setattr(surveys.Plan, "run", stopped)
     status, _, err = run(capsys, "survey", "2..200", "-o", str(rows))
     kept = len(rows.read_text().splitlines())
     assert status == 130
     assert f"{kept} of 65 rows are in {rows}; the same command goes on there" in " ".join(
         err.split()
     )
-    monkeypatch.setattr(surveys, "run", watched)
+    monkeypatch.setattr(surveys.Plan, "run", watched)
     assert run(capsys, "survey", "2..200", "-o", str(rows))[0] == 0
     assert 0 < kept < len(rows.read_text().splitlines()) == kept + len(found)
 

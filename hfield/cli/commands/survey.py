@@ -15,7 +15,7 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.core.journal import Journal
-    from hfield.surveys import Pair, Survey
+    from hfield.surveys import Plan
 
 HELP = (
     "Tabulate class numbers, masses, type numbers and units of the Eichler orders with "
@@ -73,16 +73,16 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute the missing rows, and write them."""
-    from hfield import surveys
     from hfield.core.executors import open_executor
     from hfield.core.journal import Journal
 
-    survey, pairs = _asked(args)
+    plan = _asked(args)
+    survey, pairs = plan.survey, plan.pairs
     (most,) = numbers(args.most or str(AREA if args.groups else DEFAULT_CLASSES), "--most")[:1]
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
             table = Columns() if out.stream.isatty() else None
-            for found in surveys.run(executor, pairs, most, set(), survey):
+            for found in plan.run(executor, most, set()):
                 lines = map(json.dumps, found) if table is None else table.lines(found)
                 out.write("\n".join(lines))
         return 0
@@ -101,7 +101,7 @@ def run(args: Namespace) -> int:
         done = _done(journal, survey.names)
         number = len(done & set(pairs))
         with open_executor(args.jobs, args.dask) as executor, Progress("pairs", number) as progress:
-            for found in surveys.run(executor, pairs, most, done, survey):
+            for found in plan.run(executor, most, done):
                 journal.append(found)
                 number += len(found)
                 progress(
@@ -162,15 +162,16 @@ def numbers(text: str, name: str) -> list[int]:
     return list(dict.fromkeys(found))
 
 
-def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
+def _asked(args: Namespace) -> Plan[int] | Plan[str]:
     """Return the survey that the arguments describe, and its pairs."""
     from hfield import surveys
+    from hfield.surveys import Plan
 
     levels = numbers(args.levels, "--levels")
     if args.field:
         if args.discriminants or args.groups:
             raise UsageError("--field surveys class sets over that field: leave D and --groups out")
-        return surveys.FIELDS, surveys.field_pairs(args.field, levels)
+        return Plan(surveys.FIELDS, surveys.field_pairs(args.field, levels))
     if not args.discriminants:
         raise UsageError("expected discriminants D such as 2..100, or --field F")
     wanted = numbers(args.discriminants, "D")
@@ -186,10 +187,10 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
             f"these ranges contain no pair of {kind} discriminant, a product of an {count} number of primes, "
             "and a level prime to it"
         )
-    return surveys.GROUPS if args.groups else surveys.CLASSES, pairs
+    return Plan(surveys.GROUPS if args.groups else surveys.CLASSES, pairs)
 
 
-def _done(journal: Journal, names: tuple[str, str]) -> set[Pair]:
+def _done(journal: Journal, names: tuple[str, str]) -> set[tuple[object, object]]:
     try:
         return {(row[names[0]], row[names[1]]) for row in journal.read()}
     except (ValueError, KeyError, TypeError):

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from html import escape
 from importlib.resources import files
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -58,7 +58,7 @@ def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> 
     return text.replace("{{group}}", json.dumps(_data(domain, points)))
 
 
-def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, Any]:
+def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, object]:
     """Return the units of sides as pairs of complex numbers, where the centre is, and the area.
 
     They pair the sides of a domain around the point ``first`` of the disc, which no unit fixes. ``corner`` is
