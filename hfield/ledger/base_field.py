@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 from hfield.algebra import structure
 from hfield.checker.glossary import (
@@ -21,7 +20,7 @@ from hfield.checker.glossary import (
     WITNESS,
     ZERO_NORM,
 )
-from hfield.core.product import Constants, Coordinates, norm
+from hfield.core.product import Constants, Coordinates, Scalar, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.fields import quadratic_forms
@@ -44,7 +43,7 @@ def texts(F: Ring, q: Coordinates) -> list[str]:
     return [F.text(x) for x in q]
 
 
-def known_equal(F: Ring, x: Any, y: Any) -> bool | None:
+def known_equal(F: Ring, x: Scalar, y: Scalar) -> bool | None:
     """Return whether x = y; None where they agree to all digits that are known, as in a local field.
 
     A number there that was found by Hensel's lemma stands for the root that begins with its digits.

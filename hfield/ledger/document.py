@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NamedTuple, NoReturn
 
 from hfield.errors import HFieldError, NotationError, shorten
 from hfield.fields.names import ring
@@ -99,6 +99,14 @@ def load(
     return _Document(text, file, (package, file)).claims(computed or {}, verify=False)
 
 
+class ClaimTable(NamedTuple):
+    """The values of one table by their keys: texts in one line, lists of them, and flags."""
+
+    texts: dict[str, str]
+    lists: dict[str, tuple[str, ...]]
+    flags: dict[str, bool]
+
+
 class _Document:
     """One file: its text, for the numbers of lines, and its tables."""
 
@@ -129,7 +137,7 @@ class _Document:
             if not isinstance(table, dict):
                 self.fail(None, "claims", f"entry {number} is not a table: write [[claims]]")
             data = self._table(table, number)
-            claim = self._claim(data, computed.get(data["id"], Propositions()))
+            claim = self._claim(data, computed.get(data.texts["id"], Propositions()))
             if claim.id in found:
                 self.fail(claim.id, "id", "this id comes twice")
             found[claim.id] = claim
@@ -161,39 +169,41 @@ class _Document:
                 return n + 1
         return start + 1 if claim is not None else None
 
-    def _table(self, table: Mapping[str, Any], number: int) -> dict[str, Any]:
+    def _table(self, table: Mapping[str, object], number: int) -> ClaimTable:
         """Return one table with its values read: texts on one line, lists as tuples, names."""
         raw = table.get("id")
         name = raw if isinstance(raw, str) and raw.strip() else f"number {number}"
         self.numbers[name] = number
-        out: dict[str, Any] = {}
+        out = ClaimTable({}, {}, {})
         for key, value in table.items():
             if key in FLAGS:
                 if not isinstance(value, bool):
                     self.fail(name, key, f"expected true or false, found {shorten(repr(value))}")
-                out[key] = value
+                out.flags[key] = value
             elif key in TEXTS:
-                out[key] = self._text(name, key, value)
+                out.texts[key] = self._text(name, key, value)
             elif key in LISTS:
                 items = value if isinstance(value, list) else [value]
                 if not items:
                     self.fail(name, key, "the list is empty; leave the key out")
                 read = plain if key in STATEMENTS else str
-                out[key] = tuple(read(self._text(name, key, item)) for item in items)
+                out.lists[key] = tuple(read(self._text(name, key, item)) for item in items)
             else:
                 known = ", ".join((*TEXTS, *LISTS, *FLAGS))
                 self.fail(name, key, f"there is no such key; a claim has {known}")
         for key in NAMING:
-            if out.get(key) == "":
+            if out.texts.get(key) == "":
                 self.fail(name, key, "it is empty; write a text, or leave the key out")
-        if "statement" not in out and "holds" not in out:
+        if "statement" not in out.texts and "holds" not in out.lists:
             self.fail(
                 name, "holds", "it is missing; a claim has `holds`, or at least a `statement`"
             )
-        id = out.setdefault("id", f"E{number}")
+        id = out.texts.setdefault("id", f"E{number}")
         self.numbers[id] = number
-        out.setdefault("name", id)
-        return {"section": "1", "kind": "claim", "statement": "; ".join(out.get("holds", ()))} | out
+        said = "; ".join(out.lists.get("holds", ()))
+        for key, text in (("name", id), ("section", "1"), ("kind", "claim"), ("statement", said)):
+            out.texts.setdefault(key, text)
+        return out
 
     def _text(self, name: str, key: str, value: object) -> str:
         if not isinstance(value, str):
@@ -201,39 +211,39 @@ class _Document:
             self.fail(name, key, f"expected a text in quotes, found {found}")
         return " ".join(value.split())
 
-    def _claim(self, data: Mapping[str, Any], computed: Propositions) -> Claim:
-        algebra = data.get("algebra")
+    def _claim(self, data: ClaimTable, computed: Propositions) -> Claim:
+        texts = data.texts
         return Claim(
-            data["id"],
-            data["name"],
-            data["kind"],
-            data["statement"],
-            data.get("printed", ""),
+            texts["id"],
+            texts["name"],
+            texts["kind"],
+            texts["statement"],
+            texts.get("printed", ""),
             computed.as_printed or self._proposition(data, "holds"),
             computed.spoilt or self._proposition(data, "spoilt"),
             computed.corrected or self._proposition(data, "corrected"),
-            data.get("note", ""),
-            data.get("headline", False),
-            data["section"],
-            self._fields(data, algebra),
+            texts.get("note", ""),
+            data.flags.get("headline", False),
+            texts["section"],
+            self._fields(data),
             self.source,
-            data.get("language", ""),
+            texts.get("language", ""),
         )
 
-    def _proposition(self, data: Mapping[str, Any], key: str) -> Proposition | None:
-        texts = data.get(key)
+    def _proposition(self, data: ClaimTable, key: str) -> Proposition | None:
+        texts = data.lists.get(key)
         if texts is None:
             return None
-        given, algebra = data.get("given", ()), data.get("algebra")
+        given, algebra = data.lists.get("given", ()), data.texts.get("algebra")
         parts = [Assertion(text, given, algebra=algebra) for text in texts]
-        words = data.get(f"{key}_words", "")
+        words = data.texts.get(f"{key}_words", "")
         if len(parts) > 1:
             return Every(tuple(parts), words)
         return Assertion(texts[0], given, words, algebra)
 
-    def _fields(self, data: Mapping[str, Any], algebra: str | None) -> tuple[str, ...]:
+    def _fields(self, data: ClaimTable) -> tuple[str, ...]:
         """Return the columns of the claim: those it names, that of its algebra, or the panel."""
-        name = data["id"]
+        name, algebra = data.texts["id"], data.texts.get("algebra")
         own = None
         if algebra is not None:
             try:
@@ -241,10 +251,10 @@ class _Document:
             except HFieldError as error:
                 self.fail(name, "algebra", str(error))
             own = None if inside is None else inside.name
-        if "fields" not in data:
+        if "fields" not in data.lists:
             return PANEL if own is None else (own,)
         try:
-            columns = tuple(split_columns(data["fields"]))
+            columns = tuple(split_columns(data.lists["fields"]))
         except HFieldError as error:
             self.fail(name, "fields", str(error))
         if NO_FIELD in columns and columns != (NO_FIELD,):
@@ -258,21 +268,21 @@ class _Document:
                 )
         return columns
 
-    def _verify(self, claim: Claim, data: Mapping[str, Any]) -> None:
+    def _verify(self, claim: Claim, data: ClaimTable) -> None:
         """Check that each statement can be read in at least one column of the claim."""
         from hfield.prover.statements.language import read_statement
 
-        if claim.as_printed is None and ("corrected" in data or "spoilt" in data):
+        if claim.as_printed is None and ("corrected" in data.lists or "spoilt" in data.lists):
             self.fail(
                 claim.id, "holds", "it is missing, though the claim has a corrected or a spoilt"
             )
         for key in STATEMENTS:
-            for text in data.get(key, ()):
+            for text in data.lists.get(key, ()):
                 failed: NotationError | None = None
                 for column in claim.fields:
                     field = None if column in (UNIVERSAL, NO_FIELD) else ring(column)
                     try:
-                        setting = read_setting(field, data.get("algebra"))
+                        setting = read_setting(field, data.texts.get("algebra"))
                         read_statement(
                             text,
                             setting.field,

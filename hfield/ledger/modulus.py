@@ -6,7 +6,6 @@ from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
 from itertools import product as tuples
-from typing import Any
 
 from hfield.checker.glossary import (
     ALL_CHOICES_OF_ROOTS,
@@ -169,7 +168,7 @@ class ModulusLaw:
         norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
         roots = {key: r for key, n in norms.items() if (r := F.sqrt(n)) is not None}
         roots[F.key(F.one)] = F.one
-        bad: dict[str, Any] | None = None
+        bad: dict[str, list[str]] | None = None
         for signs in tuples((1, -1), repeat=len(roots)):
             chosen = {
                 key: r if s > 0 else -r for (key, r), s in zip(roots.items(), signs, strict=True)

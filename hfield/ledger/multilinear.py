@@ -7,10 +7,11 @@ maps to V coordinate by coordinate.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product as tuples
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.checker.glossary import (
     BASIS_TUPLES,
@@ -106,7 +107,8 @@ class Form:
         return term
 
 
-_NAMES: dict[Any, str] = {
+Choice = Callable[[int], Iterable[Tuple]]
+_NAMES: dict[Choice, str] = {
     all_tuples: "all",
     constant_tuples: "constant",
     short_tuples: "short",
@@ -129,7 +131,7 @@ def _word(t: Tuple) -> str:
 
 
 @lru_cache(maxsize=64)
-def _determines(choice: Any, k: int) -> bool:
+def _determines(choice: Choice, k: int) -> bool:
     """Return whether f = g follows if they agree on ``choice(k)``, over every field."""
     form = Form(k)
     left = form(*form.arguments)
@@ -144,7 +146,7 @@ def _determines(choice: Any, k: int) -> bool:
 class DeterminedBy:
     """k-linear maps that agree on ``choice(k)`` are equal, for each k in ``arities``."""
 
-    choice: Any
+    choice: Choice
     arities: tuple[int, ...]
     words: str
     assumes: tuple[str, ...] = ()
@@ -169,7 +171,7 @@ class DeterminedBy:
                 t = next(t for t in all_tuples(k) if t not in given)
                 vectors = ", ".join(BASIS[n] for n in t)
                 steps.append(say("left-out", k=k, t=vectors))
-                witness: dict[str, Any] = {
+                witness = {
                     f"a{m}": [str(int(n == r)) for r in range(N)] for m, n in enumerate(t, 1)
                 }
                 witness |= {"f": ["1", "0", "0", "0"], "g": ["0", "0", "0", "0"]}

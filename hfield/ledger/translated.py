@@ -11,11 +11,10 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from hfield.errors import NotationError
 from hfield.ledger.claim import Claim
@@ -60,16 +59,14 @@ class Translation:
         self._language, listed = language, list(claims)
         sources = dict.fromkeys((*(claim.source for claim in listed), *more))
         documents = [_document(source, language) for source in sources]
-        self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
+        self._names = SIGNS.union(*(d.names for d in documents))
         self._by_claim = {
-            key: TranslatedClaim(**data)
-            for d in documents
-            for key, data in d.get("claims", {}).items()
+            key: TranslatedClaim(**data) for d in documents for key, data in d.claims.items()
         }
         self._whole = dict(pair for claim in listed for pair in self._pairs(claim))
         self._phrases: list[tuple[re.Pattern[str], str]] = []
         for document in documents:
-            for text, said in document.get("phrases", {}).items():
+            for text, said in document.phrases.items():
                 if _SLOT.search(text):
                     self._phrases.append((_pattern(text), said))
                 else:
@@ -161,31 +158,44 @@ def _pattern(text: str) -> re.Pattern[str]:
     return re.compile(out, re.DOTALL)
 
 
+@dataclass(frozen=True)
+class _LedgerTexts:
+    """The texts beside a ledger: of claims by their ids, phrases, and words of formulas."""
+
+    claims: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    phrases: Mapping[str, str] = field(default_factory=dict)
+    names: Sequence[str] = ()
+
+
 @cache
-def _document(source: Source, language: str) -> Mapping[str, Any]:
+def _document(source: Source, language: str) -> _LedgerTexts:
     """Read the texts beside a ledger; nothing where there are none."""
     package, ledger = source
     name = f"{ledger.removesuffix('.toml')}.{language}.toml"
     path = files(package) / name if package else Path(name)
     if not ledger or not path.is_file():
-        return {}
+        return _LedgerTexts()
     try:
         found = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError, OSError) as error:
         raise LedgerError(f"{name} cannot be read: {error}") from None
-    _check(found, name)
-    return found
+    return _checked(found, name)
 
 
-def _check(document: Mapping[str, Any], name: str) -> None:
-    """Raise :class:`LedgerError` unless a document has claims, phrases and names as they have to be."""
+def _checked(document: Mapping[str, object], name: str) -> _LedgerTexts:
+    """Return claims, phrases and names of a document. Raises :class:`LedgerError` for anything else."""
     kinds: dict[str, type] = {"claims": dict, "phrases": dict, "names": list}
     for key, value in document.items():
         if not isinstance(value, kinds.get(key, ())):
             raise LedgerError(
                 f"{name}: {key!r} is not a table of claims or phrases, nor a list of names"
             )
-    for key, texts in document.get("claims", {}).items():
+    claims, phrases = document.get("claims", {}), document.get("phrases", {})
+    names = document.get("names", [])
+    assert isinstance(claims, dict)
+    assert isinstance(phrases, dict)
+    assert isinstance(names, list)
+    for key, texts in claims.items():
         keys = set(texts) if isinstance(texts, dict) else {"?"}
         if not {"name", "statement"} <= keys <= set(TranslatedClaim.__dataclass_fields__):
             known = ", ".join(TranslatedClaim.__dataclass_fields__)
@@ -193,10 +203,12 @@ def _check(document: Mapping[str, Any], name: str) -> None:
                 f"{name}, claim {key!r}: expected name and statement; there are {known}"
             )
         _check_texts(texts, f"{name}, claim {key!r}")
-    _check_texts(document.get("phrases", {}), f"{name}, phrases")
-    for text, said in document.get("phrases", {}).items():
+    _check_texts(phrases, f"{name}, phrases")
+    _check_texts({f"names, entry {n}": x for n, x in enumerate(names, 1)}, name)
+    for text, said in phrases.items():
         if not set(_SLOT.findall(said)) <= set(_SLOT.findall(text)):
             raise LedgerError(f"{name}, phrase {text!r}: {said!r} has another slot")
+    return _LedgerTexts(claims, phrases, names)
 
 
 def _check_texts(texts: Mapping[str, object], where: str) -> None:

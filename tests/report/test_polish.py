@@ -151,6 +151,7 @@ def test_a_ledger_of_ones_own_has_its_texts_beside_it(sheet):
     [
         ("[claims.L1\n", "cannot be read"),
         ("[other]\n", "'other'"),
+        ("names = ['q', ['p']]\n", "names, entry 2"),
         ("names = 3\n", "'names'"),
         ('[claims.L1]\nname = "x"\n', "expected name and statement"),
         ('[claims.L1]\nname = "x"\nstatement = 3\n', "expected a text"),
