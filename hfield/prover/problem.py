@@ -18,20 +18,22 @@ from hfield.syntax import Call, Name, Node, children
 
 MAX_KEPT = 8_192  # answers to a question of one kind
 _NOTHING = object()
+P = ParamSpec("P")
+T = TypeVar("T")
 
 
 class Memory:
     """A cache of functions of problems, shared by fields and statements."""
 
     def __init__(self) -> None:
-        self._kept: dict[str, dict[Hashable, Any]] = {}
+        self._kept: dict[str, dict[Hashable, Any]] = {}  # by the kind what its functions return
 
     def recall(
-        self, kind: str, key: Hashable, make: Callable[[], Any], lasting: Callable[[], bool]
-    ) -> Any:
+        self, kind: str, key: Hashable, make: Callable[[], T], lasting: Callable[[], bool]
+    ) -> T:
         """Return the cached value of a key, or compute it, and cache it if it is ``lasting``."""
         kept = self._kept.setdefault(kind, {})
-        found = kept.get(key, _NOTHING)
+        found: T = kept.get(key, _NOTHING)
         if found is _NOTHING:
             found = make()
             if lasting():
@@ -149,10 +151,6 @@ def constants_in(node: Node, ring: Ring | None) -> Iterator[str]:
             yield from constants_in(child, ring)
 
 
-P = ParamSpec("P")
-T = TypeVar("T")
-
-
 def remembered(
     function: Callable[Concatenate[Problem, P], T],
 ) -> Callable[Concatenate[Problem, P], T]:
@@ -165,12 +163,11 @@ def remembered(
     @wraps(function)
     def recalling(problem: Problem, *args: P.args, **kwargs: P.kwargs) -> T:
         key = (problem.statement, problem.setting.constants, args, tuple(kwargs.items()))
-        answer: T = problem.memory.recall(
+        return problem.memory.recall(
             f"{function.__module__}.{function.__qualname__}",
             key,
             lambda: function(problem, *args, **kwargs),
             lambda: not problem.is_late,
         )
-        return answer
 
     return cast(Callable[Concatenate[Problem, P], T], recalling)

@@ -6,11 +6,11 @@ prime field on Python's numbers, then small elements of the field, zero divisors
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import accumulate, islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 Shape = tuple[tuple[int, bool], ...]  # number of coordinates of each unknown, and if it is a letter
 
 HEAVIEST = 12  # the weight of a place
+Values = tuple[Scalar | tuple[Scalar, ...], ...]
+"""The values of unknowns in their order."""
 KEPT = (150, 400)  # so many places are tried for many statements, and made once for all of them
 MAX_FAST, MAX_SLOW = 20_000, 2_000  # weights of statements that are evaluated at large elements
 
@@ -51,7 +53,7 @@ def _shape(unknowns: Sequence[tuple[str, Sort]], letters: frozenset[str]) -> Sha
     return tuple((sort.width, name in letters) for name, sort in unknowns)
 
 
-def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[tuple[Any, ...]]:
+def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[Values]:
     """Yield the values of unknowns in the order of :func:`by_weight`."""
     own = nonzero_first(scalars)
     width = sum(width for width, _ in shape)
@@ -95,8 +97,8 @@ def small_scalars(field: Ring) -> tuple[Scalar, ...]:
     """Return some elements of the field, 0 and 1 first; all of them if there are at most 64."""
     if field.order is not None:
         return tuple(islice(field.elements(), 64))
-    found: dict[Any, Any] = {}
-    candidates: list[Callable[[], Any]] = [
+    found: dict[Hashable, Scalar] = {}
+    candidates: list[Callable[[], Scalar]] = [
         lambda: field.zero,
         lambda: field.one,
         lambda: field(-1),
@@ -153,8 +155,10 @@ def pool(problem: Problem) -> list[Coordinates]:
     """Return a few typical quaternions: 0, the basis, zero divisors, small combinations."""
     field = problem.ring
     zero, one = field.zero, field.one
-    basis = [tuple(one if n == m else zero for n in range(4)) for m in range(4)]
-    out: list[Any] = [(zero,) * 4, *basis, *zero_divisors(problem.setting)]
+    out: list[Coordinates] = [(zero, zero, zero, zero)]
+    out += [(one, zero, zero, zero), (zero, one, zero, zero)]
+    out += [(zero, zero, one, zero), (zero, zero, zero, one)]
+    out += zero_divisors(problem.setting)
     for x in small_scalars(field)[2:6]:
         out.extend([(x, zero, zero, zero), (zero, x, zero, zero), (zero, one, x, zero)])
     return out
@@ -225,9 +229,7 @@ class _PrimeSearch:
                 return
 
 
-def _places(
-    shape: Shape, scalars: tuple[int, ...], start: int, limit: int
-) -> Iterator[tuple[Any, ...]]:
+def _places(shape: Shape, scalars: tuple[int, ...], start: int, limit: int) -> Iterator[Values]:
     """Yield values of unknowns by weight, from index ``start`` on."""
     kept = next((count for count in KEPT if limit <= count), None)
     places = _values(shape, scalars, HEAVIEST) if kept is None else _kept(shape, scalars, kept)
@@ -235,7 +237,7 @@ def _places(
 
 
 @lru_cache(maxsize=256)
-def _kept(shape: Shape, scalars: tuple[int, ...], count: int) -> tuple[tuple[Any, ...], ...]:
+def _kept(shape: Shape, scalars: tuple[int, ...], count: int) -> tuple[Values, ...]:
     return tuple(islice(_values(shape, scalars, HEAVIEST), count))
 
 

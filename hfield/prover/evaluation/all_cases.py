@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property, lru_cache
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
 from hfield.core.product import Scalar
 from hfield.errors import TooLargeError, UndecidedError
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     Booleans = bool | npt.NDArray[np.bool_]
     Operations = Mapping[str, Callable[..., Indices]]
 
+X = TypeVar("X")
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
 BLOCK = 1 << 18
@@ -71,8 +72,8 @@ def counterexample(
 
 
 def _assignment(
-    statement: Statement, places: list[tuple[str, int]], values: Iterable[object], zero: object
-) -> Assignment:
+    statement: Statement, places: list[tuple[str, int]], values: Iterable[X], zero: X
+) -> dict[str, X | tuple[X, ...]]:
     given = dict(zip(places, values, strict=True))
     return {
         name: given.get((name, 0), zero)
@@ -85,8 +86,8 @@ def _assignment(
 def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -> Assignment | None:
     field, statement = problem.ring, problem.statement
     prime = field.is_field and field.order == field.characteristic and not statement.constants
-    elements: Iterable[Any] = range(field.characteristic) if prime else field.elements()
-    zero = 0 if prime else field.zero
+    elements: Iterable[Scalar] = range(field.characteristic) if prime else field.elements()
+    zero: Scalar = 0 if prime else field.zero
     # elements are not listed where one is enough, or none: there may be 10⁸ of them, or more
     cases = ((x,) for x in elements) if len(places) == 1 else product(elements, repeat=len(places))
     scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
@@ -149,7 +150,8 @@ class _Table:
         self.elements = [field(n) for n in range(p)] if prime else list(field.elements())
         self.index = {field.key(x): n for n, x in enumerate(self.elements)}
         compiled = scalar_arrays(field) if loops else None
-        self.kind: Any = np.dtype(compiled.dtype if compiled else np.int64 if prime else np.uint16)
+        dtype = compiled.dtype if compiled else np.int64 if prime else np.uint16
+        self.kind: np.dtype[np.integer] = np.dtype(dtype)
         if compiled:
             # Of "sum", "difference", "product" and "negative" one is computed, of arrays of indices.
             self.compute: Callable[..., Indices] = compiled

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
-from typing import Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
@@ -14,10 +13,10 @@ from hfield.prover.statements.language import Sort, Statement
 from hfield.prover.statements.trees import walk
 from hfield.syntax import Name
 
-Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+Assignment = dict[str, Scalar | tuple[Scalar, ...]]  # unknown → a scalar or a tuple of four
 
 
-def lifted(field: Ring, found: Mapping[str, Any]) -> Assignment:
+def lifted(field: Ring, found: Mapping[str, object]) -> Assignment:
     """Turn numbers, or the texts of coordinates, into elements of the field."""
     return {
         name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)

@@ -27,7 +27,6 @@ from hfield.prover.methods import universal
 from hfield.prover.polynomials.normal_form import branches
 from hfield.prover.polynomials.vanishing import known, value_at
 from hfield.prover.problem import Problem, constants_in
-from hfield.prover.statements.language import Sort
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.setting import put_letters
 from hfield.prover.statements.trees import conjunction, quaternion_node, substitute, walk
@@ -195,11 +194,13 @@ def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
 
     def none_at(place: Assignment) -> bool:
         values = dict(fixed)
-        for name, sort in statement.unknowns:
+        for name, _ in statement.unknowns:
             x = place.get(name)
             if x is not None:
-                own = {name: x} if sort is Sort.SCALAR else {f"{name}[{n}]": x[n] for n in range(4)}
-                values.update(own)
+                if isinstance(x, tuple):
+                    values |= {f"{name}[{n}]": c for n, c in enumerate(x)}
+                else:
+                    values[name] = x
         return not any(_is_solvable(rows, system.variables, values, field) for rows in ways)
 
     return none_at

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, repeat
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.errors import TooLargeError
 from hfield.fields.base.ring import Ring
@@ -38,7 +38,7 @@ MAX_TERMS = 6_000  # of all polynomials of conditions together
 MAX_CASES = 3  # how deep case distinctions nest
 MAX_FACTORED = 60  # terms of a polynomial that is still factored
 
-Step = Mapping[str, Any]
+Step = Mapping[str, object]
 
 
 @dataclass(frozen=True)
@@ -174,7 +174,7 @@ class _ContradictionSearch:
             if complete:
                 return bool(self.rules) and depth < MAX_CASES and self._cases(ideal, depth)
 
-    def _step(self, step: dict[str, Any], found: Cofactors) -> None:
+    def _step(self, step: dict[str, object], found: Cofactors) -> None:
         step["cofactors"] = [self.text(f) for f in found.factors]
         step["denominator"] = found.denominator
         self.denominators.append(found.denominator)
@@ -317,7 +317,7 @@ class _ContradictionSearch:
                 branches.append(branch)
             if len(branches) < len(factors):
                 continue
-            step = {
+            step: dict[str, object] = {
                 "step": "cases",
                 "factors": [self.text(g) for g in factors],
                 "powers": [int(n) for _, n in powers],
@@ -333,5 +333,6 @@ class _ContradictionSearch:
 
 def fits(rule: Rule, form: AnisotropicForm) -> bool:
     """Return whether a rule on sums of squares applies."""
-    plain = all(c == 1 for c in form.step["coefficients"])
+    coefficients = form.step["coefficients"]
+    plain = isinstance(coefficients, list) and all(c == 1 for c in coefficients)
     return len(form.terms) <= rule.most and (plain or rule.positive)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby, product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 from hfield.errors import shorten
 from hfield.fields.base.ring import Ring
@@ -40,11 +40,24 @@ if TYPE_CHECKING:
 MAX_CHOICES = 64
 
 
+class ItemData(TypedDict, total=False):
+    """One item: ``member`` is in the ideal of ``zero``, or ``steps`` end in a contradiction."""
+
+    characteristic: int
+    zero: list[str]
+    relations: list[str]
+    member: str
+    cofactors: list[str]
+    denominator: int
+    nonzero: list[str]
+    steps: list[Mapping[str, object]]
+
+
 @dataclass(frozen=True)
 class Item:
     """One item of the evidence, with the data that determine its scope."""
 
-    evidence: Mapping[str, Any]
+    evidence: ItemData
     direct: bool
     single: bool
     denominators: tuple[int, ...]
@@ -241,7 +254,7 @@ class _Attempt:
         found = self.direct(zeros, clause.goals)
         return self.by_contradiction(zeros, clause.goals) if found is None else found
 
-    def evidence(self, zeros: Sequence[flint.fmpz_mpoly]) -> dict[str, object]:
+    def evidence(self, zeros: Sequence[flint.fmpz_mpoly]) -> ItemData:
         """Return the common evidence of all items with the same zeros."""
         return {
             "characteristic": self.characteristic,
@@ -265,7 +278,7 @@ class _Attempt:
         self, zeros: Sequence[flint.fmpz_mpoly], target: flint.fmpz_mpoly, found: Cofactors
     ) -> Item:
         """Return the evidence that a polynomial lies in the ideal that ``zeros`` generate."""
-        own = {
+        own: ItemData = {
             "member": self.text(target),
             "cofactors": [self.text(f) for f in found.factors],
             "denominator": found.denominator,
@@ -292,7 +305,7 @@ class _Attempt:
             refutation = refute(conditions, self.rules, self.problem.clock)
             if refutation is None:
                 return None
-            own = {
+            own: ItemData = {
                 "nonzero": [self.text(g) for g in choice],
                 "steps": [dict(step) for step in refutation.steps],
             }

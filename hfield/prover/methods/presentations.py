@@ -10,11 +10,10 @@ products that they need are there.
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
 from math import lcm
-from typing import Any
 
 from hfield.checker.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import NotationError, shorten
@@ -50,6 +49,23 @@ MAX_WEIGHT = 60
 MAX_TERMS = 2_000
 
 
+@dataclass(frozen=True)
+class _Target:
+    """What is to be shown: with or without an identity, that the relations imply the goals."""
+
+    identity: bool
+    relations: list[Words]
+    goals: list[Words]
+
+    def data(self) -> dict[str, object]:
+        """Return this as evidence repeats it, words in lists after their coefficients."""
+        return {
+            "identity": self.identity,
+            "relations": [_listed(f) for f in self.relations],
+            "goals": [_listed(f) for f in self.goals],
+        }
+
+
 def decide_presentation(
     relations: Sequence[str | Mapping[str, int]],
     goals: Sequence[str | Mapping[str, int]],
@@ -70,11 +86,7 @@ def decide_presentation(
     read_relations = [_read(r, identity) for r in relations]
     read_goals = [_read(g, identity) for g in goals]
     letters = "ijk" if identity else "eijk"
-    target = {
-        "identity": identity,
-        "relations": [_listed(r) for r in read_relations],
-        "goals": [_listed(g) for g in read_goals],
-    }
+    target = _Target(identity, read_relations, read_goals)
     characteristics_tried = [0, 2] if field is None else [p]
     for q in dict.fromkeys((0, p)):
         proof = _prove(read_relations, read_goals, letters, q, clock)
@@ -139,13 +151,12 @@ def _prove(
 ) -> Proof | None:
     """Prove with a cache shared by all fields; proofs that ran out of time are retried."""
     key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
-    proof: Proof | None = MEMORY.recall(
+    return MEMORY.recall(
         "presentations",
         key,
         lambda: _attempt(relations, goals, letters, p, clock),
         lambda: not clock.is_late,
     )
-    return proof
 
 
 def _attempt(
@@ -161,7 +172,7 @@ def _attempt(
         if cofactors is None:
             return None
         scale = lcm(*(Fraction(c).denominator for c in cofactors.values()))
-        whole = {place: int(c * scale) for place, c in cofactors.items()}
+        whole: Cofactors = {place: int(c * scale) for place, c in cofactors.items()}
         difference = multiply_out(whole, relations)
         for word, c in goal.items():
             difference[word] = difference.get(word, 0) - c * scale
@@ -171,12 +182,12 @@ def _attempt(
     return out
 
 
-def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
+def _proved(proof: Proof, target: _Target, p: int) -> Decision:
     steps = []
     entries = []
-    for (cofactors, scale), goal in zip(proof, target["goals"], strict=True):
+    for (cofactors, scale), goal in zip(proof, target.goals, strict=True):
         terms = " + ".join(
-            f"{'' if c == 1 else f'({c})·'}{left}({_shown(target['relations'][n])}){right}"
+            f"{'' if c == 1 else f'({c})·'}{left}({_shown(target.relations[n])}){right}"
             for (left, n, right), c in cofactors.items()
         )
         steps.append(f"{'' if scale == 1 else scale}({_shown(goal)}) = {terms or 0}")
@@ -186,21 +197,21 @@ def _proved(proof: Proof, target: dict[str, Any], p: int) -> Decision:
                 "denominator": scale,
             }
         )
-    evidence = Evidence(Kind.PRESENTATION, characteristic=p, **target, proofs=entries)
+    evidence = Evidence(Kind.PRESENTATION, characteristic=p, **target.data(), proofs=entries)
     integral = all(scale == 1 for _, scale in proof)
     scope = Scope.characteristics([p]) if p else COMMUTATIVE_RINGS if integral else FIELD
     return Decision(PROVED, PRESENTATION, None, tuple(steps), scope, evidence=evidence)
 
 
-def _vacuous(proof: Proof, target: dict[str, Any], p: int) -> Decision:
-    shown = _proved(proof, {**target, "goals": [_listed(ONE)]}, p)
+def _vacuous(proof: Proof, target: _Target, p: int) -> Decision:
+    shown = _proved(proof, replace(target, goals=[ONE]), p)
     steps = (*shown.steps, say("trivial-only"))
     evidence = Evidence(Kind.UNSATISFIABLE, proof=shown.evidence)
     return replace(shown, verdict=VACUOUS, steps=steps, evidence=evidence)
 
 
 def _refuted(
-    found: tuple[Table, int, list[int]], target: dict[str, Any], p: int, everywhere: bool
+    found: tuple[Table, int, list[int]], target: _Target, p: int, everywhere: bool
 ) -> Decision:
     table, goal, value = found
     names = "eijk"
@@ -209,28 +220,28 @@ def _refuted(
         for (x, y), (sign, at) in sorted(table.items())
     }
     shown = ", ".join(
-        f"{place} = {_shown([[c, names[n]] for n, c in enumerate(v) if c])}"
+        f"{place} = {_shown({names[n]: c for n, c in enumerate(v) if c})}"
         for place, v in products.items()
     )
-    vector = _shown([[c, names[n]] for n, c in enumerate(value) if c])
-    failing = {"x": _shown(target["goals"][goal]), "y": vector, "p": p}
+    vector = _shown({names[n]: c for n, c in enumerate(value) if c})
+    failing = {"x": _shown(target.goals[goal]), "y": vector, "p": p}
     last = say("is-there-in" if p else "is-there", **failing)
     steps = (say("table", table=shown), say("relations-hold"), last)
-    shown_by = {"table": products, "goal": goal, "value": value}
-    evidence = Evidence(Kind.ALGEBRA, characteristic=p, **target, **shown_by)
+    shown_by: dict[str, object] = {"table": products, "goal": goal, "value": value}
+    evidence = Evidence(Kind.ALGEBRA, characteristic=p, **target.data(), **shown_by)
     witness = {place: [str(c) for c in v] for place, v in products.items()}
     if everywhere:
         witness["F"] = [f"GF({p})" if p else "QQ"]
     return Decision(REFUTED, ALGEBRA, witness, steps, evidence=evidence)
 
 
-def _listed(f: Words) -> list[list[Any]]:
+def _listed(f: Words) -> list[list[int | str]]:
     return [[c, word] for word, c in f.items()]
 
 
-def _shown(f: list[list[Any]]) -> str:
+def _shown(f: Words) -> str:
     out = ""
-    for c, word in f:
+    for word, c in f.items():
         body = word or "1" if abs(c) == 1 else f"{abs(c)}{word}"
         sign = "−" if c < 0 else "+"
         out += f" {sign} {body}" if out else (f"−{body}" if c < 0 else body)

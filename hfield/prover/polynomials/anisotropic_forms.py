@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import gcd, isqrt
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from hfield.core.product import Scalar
 from hfield.fields.base.ring import Ring
@@ -35,7 +35,7 @@ class AnisotropicForm:
 
     value: flint.fmpz_mpoly
     terms: tuple[flint.fmpz_mpoly, ...]
-    step: Mapping[str, Any]
+    step: Mapping[str, object]
     rule: Rule | None = None  # a rule of its own, besides the one for roots
 
 

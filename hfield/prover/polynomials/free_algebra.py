@@ -6,14 +6,16 @@ the cofactors: ``f = Σ c·left·generator·right``.
 """
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias, TypeVar
 
 from hfield.prover.clock import UNTIMED, Clock
 
-Words = dict[str, Any]  # word → coefficient
-Cofactors = dict[tuple[str, int, str], Any]  # left, generator, right → coefficient
+K = TypeVar("K", bound=Hashable)
+Number: TypeAlias = int | Fraction
+Words = dict[str, Number]  # word → coefficient
+Cofactors = dict[tuple[str, int, str], Number]  # left, generator, right → coefficient
 Rule = tuple[str, Words, Cofactors]  # leading word, the monic polynomial, where it comes from
 
 MAX_RULES = 200
@@ -36,7 +38,7 @@ class Rewriting:
         for n, g in enumerate(generators):
             self._enter({w: self.number(c) for w, c in g.items()}, {("", n, ""): self.number(1)})
 
-    def number(self, c: int | Fraction) -> int | Fraction:
+    def number(self, c: Number) -> Number:
         """Return a coefficient: a Fraction, or an int modulo p."""
         return int(c) % self.p if self.p else Fraction(c)
 
@@ -80,7 +82,7 @@ class Rewriting:
         if not f:
             return
         lead = max(f, key=self._key)
-        scale = pow(f[lead], -1, self.p) if self.p else 1 / f[lead]
+        scale = pow(int(f[lead]), -1, self.p) if self.p else 1 / Fraction(f[lead])
         rule = (
             lead,
             {w: self._times(c, scale) for w, c in f.items()},
@@ -108,17 +110,17 @@ class Rewriting:
             self._add_cofactors(cofactors, self._minus(one), left_of_g, other, right_of_g)
             yield h, cofactors
 
-    def _add(self, into: Words, c: int | Fraction, left: str, f: Words, right: str) -> None:
+    def _add(self, into: Words, c: Number, left: str, f: Words, right: str) -> None:
         for word, d in f.items():
             self._sum(into, left + word + right, self._times(c, d))
 
     def _add_cofactors(
-        self, into: Cofactors, c: int | Fraction, left: str, other: Cofactors, right: str
+        self, into: Cofactors, c: Number, left: str, other: Cofactors, right: str
     ) -> None:
         for (l, n, r), d in other.items():  # noqa: E741
             self._sum(into, (left + l, n, r + right), self._times(c, d))
 
-    def _sum(self, into: Any, key: Any, c: int | Fraction) -> None:
+    def _sum(self, into: dict[K, Number], key: K, c: Number) -> None:
         total = into.get(key, 0) + c
         if self.p:
             total %= self.p
@@ -127,10 +129,10 @@ class Rewriting:
         else:
             into.pop(key, None)
 
-    def _times(self, c: int | Fraction, d: int | Fraction) -> int | Fraction:
+    def _times(self, c: Number, d: Number) -> Number:
         return c * d % self.p if self.p else c * d
 
-    def _minus(self, c: int | Fraction) -> int | Fraction:
+    def _minus(self, c: Number) -> Number:
         return -c % self.p if self.p else -c
 
     def _key(self, word: str) -> tuple[int, list[int]]:
