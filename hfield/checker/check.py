@@ -12,7 +12,7 @@ from hfield.checker.evidence import prove
 from hfield.checker.first_schema import current
 from hfield.checker.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
 from hfield.checker.json_text import read_json
-from hfield.checker.language import Tree
+from hfield.checker.language import Meaning
 from hfield.checker.rejection import (
     Rejected,
     a_text,
@@ -128,9 +128,9 @@ class ExpectedClaim:
             reject(f"this is about the algebra {shown(setting.algebra)}")
 
 
-def _unknowns(tree: Tree) -> set[str]:
+def _unknowns(tree: Meaning) -> set[str]:
     """Return the letters in a tree that are unknowns where no field is named."""
-    if len(tree) == 2 and tree[0] == "name":
+    if len(tree) == 2 and tree[0] == "name" and isinstance(tree[1], str):
         return {tree[1]} & set(UNKNOWNS)
     return {name for part in tree if isinstance(part, tuple) for name in _unknowns(part)}
 

@@ -121,37 +121,40 @@ class Evaluator(Generic[S, T]):
 
     def value(self, tree: Tree) -> S | Quaternion[S]:
         """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
-        kind, s = tree[0], self.s
+        s = self.s
         spend(10)
-        if kind == "num":
+        if tree[0] == "num":
             return self._defined(s.number(tree[1]))
         if (
-            kind == "call" and tree[1] in FUNCTIONS
+            tree[0] == "call" and tree[1] in FUNCTIONS
         ):  # others are short; all of a tree would be hashed
-            if tree[1] == "trace" and tree[2][0][0] == "*":
-                return self._call("trace", self._traced(*map(self.value, tree[2][0][1:])))
+            inside = tree[2][0]
+            if tree[1] == "trace" and inside[0] == "*":
+                return self._call("trace", self._traced(*map(self.value, inside[1:])))
             return self._call(tree[1], *map(self.value, tree[2]))
-        if kind in ("name", "call") and tree in self.values:
+        if tree[0] in ("name", "call") and tree in self.values:
             return self.values[tree]
-        if kind == "name":
+        if tree[0] == "name":
             return self._name(tree[1])
-        if kind == "call":
+        if tree[0] == "call":
             reject(f"there is no function {tree[1]!r}")
+        if tree[0] == "exists":
+            reject("a term cannot be evaluated")
         x = self.value(tree[1])
-        if kind == "neg":
+        if tree[0] == "neg":
             return Quaternion(map(s.neg, x)) if isinstance(x, Quaternion) else s.neg(x)
-        if kind in ("+", "-"):
-            return self._plus(x, self.value(tree[2]), kind)
-        if kind in ("*", "/"):
+        if tree[0] in ("+", "-"):
+            return self._plus(x, self.value(tree[2]), tree[0])
+        if tree[0] in ("*", "/"):
             y = self.value(tree[2])
             return self._times(
-                x, y if kind == "*" else self._defined(s.reciprocal(self._scalar(y)))
+                x, y if tree[0] == "*" else self._defined(s.reciprocal(self._scalar(y)))
             )
-        if kind == "pow":
+        if tree[0] == "pow":
             if abs(tree[2]) > MAX_EXPONENT:
                 reject("an exponent is too large")
             return self._power(x if tree[2] >= 0 else self._inverse(x), abs(tree[2]))
-        if kind == "index":
+        if tree[0] == "index":
             return self._coordinate(x, tree[2])
         reject("a term cannot be evaluated")
 
@@ -172,9 +175,9 @@ class Evaluator(Generic[S, T]):
 
     def truth(self, tree: Tree) -> T:
         """Return the truth of a statement without quantifiers."""
-        kind, s = tree[0], self.s
+        s = self.s
         spend(10)
-        if kind in ("==", "!="):
+        if tree[0] in ("==", "!="):
             self.needed = ()
             x, y = self.value(tree[1]), self.value(tree[2])
             if isinstance(x, Quaternion) or isinstance(y, Quaternion):
@@ -182,16 +185,16 @@ class Evaluator(Generic[S, T]):
                 differences = [s.add(u, s.neg(v)) for u, v in pairs]
             else:
                 differences = [s.add(x, s.neg(y))]
-            return s.compare(differences, self.needed, kind == "==")
-        if kind == "not":
+            return s.compare(differences, self.needed, tree[0] == "==")
+        if tree[0] == "not":
             return s.deny(self.truth(tree[1]))
-        if kind not in ("and", "or", "=>", "<=>"):
+        if tree[0] not in ("and", "or", "=>", "<=>"):
             reject("a statement cannot be evaluated")
         left, right = self.truth(tree[1]), self.truth(tree[2])
-        if kind in ("and", "or"):
-            return s.join(kind, left, right)
+        if tree[0] in ("and", "or"):
+            return s.join(tree[0], left, right)
         forth = s.join("or", s.deny(left), right)
-        return forth if kind == "=>" else s.join("and", forth, s.join("or", left, s.deny(right)))
+        return forth if tree[0] == "=>" else s.join("and", forth, s.join("or", left, s.deny(right)))
 
     def _name(self, name: str) -> Quaternion[S]:
         place = "eijk".find(name)

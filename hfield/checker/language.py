@@ -7,18 +7,30 @@ their trees are equal.
 """
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
-from typing import Any, NoReturn
+from typing import Literal, NoReturn, TypeAlias
 
 from hfield.checker.budget import spend
 from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
-Tree = tuple[Any, ...]
+Operator = Literal["+", "-", "*", "/", "==", "!=", ">=", ">", "<=", "<", "and", "or", "=>", "<=>"]
+NumberTree = tuple[Literal["num"], int | Fraction]
+NameTree = tuple[Literal["name"], str]
+Unary = tuple[Literal["neg", "not"], "Tree"]
+Binary = tuple[Operator, "Tree", "Tree"]
+Indexed = tuple[Literal["pow", "index"], "Tree", int]
+Call = tuple[Literal["call"], str, tuple["Tree", ...]]
+Exists = tuple[Literal["exists"], tuple[str, ...], "Tree"]
+Tree: TypeAlias = NumberTree | NameTree | Unary | Binary | Indexed | Call | Exists
+Meaning = tuple[object, ...]
+"""What a statement of any kind says, to be compared: a tree, or a word and what its braces contain."""
 
 MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 200
-ORDER = (">=", ">", "<=", "<")
-BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
-BINDS |= dict.fromkeys(ORDER, 6)
+ORDER: tuple[Literal[">="], Literal[">"], Literal["<="], Literal["<"]] = (">=", ">", "<=", "<")
+BINDS: dict[Operator, int] = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6}
+BINDS |= {">=": 6, ">": 6, "<=": 6, "<": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+OPERATORS: dict[str, Operator] = {operator: operator for operator in BINDS}
 NOT, COMPARE, SIGN = 5, 6, 9
 WORDS = ("and", "or", "not", "exists")
 # By the sorts of their values, q for quaternions and s for scalars; other calls are constants of a field.
@@ -63,9 +75,26 @@ def walk(tree: Tree) -> list[Tree]:
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """Return the trees directly in ``tree``."""
-    if tree[0] in ("call", "exists"):
-        return tree[2] if tree[0] == "call" else (tree[2],)
+    if tree[0] == "call":
+        return tree[2]
+    if tree[0] == "exists":
+        return (tree[2],)
     return tuple(x for x in tree[1:] if isinstance(x, tuple))
+
+
+def with_parts(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
+    """Return the tree with the trees directly in it changed."""
+    if tree[0] == "num" or tree[0] == "name":
+        return tree
+    if tree[0] == "call":
+        return ("call", tree[1], tuple(map(change, tree[2])))
+    if tree[0] == "exists":
+        return ("exists", tree[1], change(tree[2]))
+    if tree[0] == "neg" or tree[0] == "not":
+        return (tree[0], change(tree[1]))
+    if tree[0] == "pow" or tree[0] == "index":
+        return (tree[0], change(tree[1]), tree[2])
+    return (tree[0], change(tree[1]), change(tree[2]))
 
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
@@ -73,13 +102,7 @@ def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
     spend(1)
     if tree[0] == "name":
         return values.get(tree[1], tree)
-    if tree[0] == "num":
-        return tree
-    if tree[0] == "call":
-        return ("call", tree[1], tuple(substitute(x, values) for x in tree[2]))
-    return tuple(
-        substitute(x, values) if isinstance(x, tuple) and n else x for n, x in enumerate(tree)
-    )
+    return with_parts(tree, lambda x: substitute(x, values))
 
 
 CLOSING = {"(": ")", "[": "]", "{": "}"}
@@ -151,11 +174,13 @@ class _Parser:
             self.fail(f"it is more than {MAX_DEPTH} levels deep")
         self.depth += 1
         left = self.prefix(strength)
-        while BINDS.get(self.word, 0) > strength:
-            operator = self.next(*BINDS)
+        while (operator := OPERATORS.get(self.word)) and BINDS[operator] > strength:
+            self.next(operator)
             binds = BINDS[operator]
             left = operator, left, self.infix(binds - (operator == "=>"))
-            if BINDS.get(self.word) == binds and (binds == COMPARE or operator == "<=>"):
+            following = OPERATORS.get(self.word)
+            chains = following is not None and BINDS[following] == binds
+            if chains and (binds == COMPARE or operator == "<=>"):
                 self.fail(f"{operator!r} does not chain")
         self.depth -= 1
         return left

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from hfield.checker.budget import spend
-from hfield.checker.language import ORDER, Tree, children, walk
+from hfield.checker.language import ORDER, Operator, Tree, children, walk, with_parts
 from hfield.checker.rejection import reject, shown
 
 MATRICES = ("L", "M", "N")
@@ -43,29 +43,28 @@ class _MatrixWriter:
     def truth(self, tree: Tree) -> Tree:
         """Write out a statement."""
         spend(5)
-        kind = tree[0]
-        if kind == "exists":
+        if tree[0] == "exists":
             bound: list[str] = []
             for name in tree[1]:
                 bound += _names(name)[1:] if name in self.free else [name]
             return ("exists", tuple(bound), self.truth(tree[2]))
-        if kind in ("and", "or", "=>", "<=>", "not"):
-            return (kind, *(self.truth(x) for x in tree[1:]))
-        if kind not in ("==", "!=", *ORDER):
+        if tree[0] in ("and", "or", "=>", "<=>", "not"):
+            return with_parts(tree, self.truth)
+        if tree[0] not in ("==", "!=", *ORDER):
             return self.single(tree)
         left, right = self.value(tree[1]), self.value(tree[2])
         if isinstance(left, tuple) and isinstance(right, tuple):
-            return (kind, left, right)
-        if kind in ORDER:
+            return (tree[0], left, right)
+        if tree[0] in ORDER:
             reject("matrices have no order")
         rows, others = _alike(left, right)
         pairs = [
             (x, y) for r, s in zip(rows, others, strict=True) for x, y in zip(r, s, strict=True)
         ]
-        found: Tree = (kind, *pairs[0])
+        found: Tree = (tree[0], *pairs[0])
         for pair in pairs[1:]:
-            found = ("and" if kind == "==" else "or", found, (kind, *pair))
-        if kind == "!=":  # where an entry is undefined the comparison is false
+            found = ("and" if tree[0] == "==" else "or", found, (tree[0], *pair))
+        if tree[0] == "!=":  # where an entry is undefined the comparison is false
             for x in (x for pair in pairs for x in pair if _may_be_undefined(x)):
                 found = ("and", found, ("==", x, x))
         return found
@@ -80,19 +79,18 @@ class _MatrixWriter:
     def value(self, tree: Tree) -> Value:
         """Write out a term."""
         spend(10)
-        kind = tree[0]
-        if kind == "num":
+        if tree[0] == "num":
             return tree
-        if kind == "name":
+        if tree[0] == "name":
             if tree[1] not in self.free:
                 return tree
-            a, b, c, d = (("name", x) for x in _names(tree[1])[1:])
-            return [[a, b], [c, d]]
-        if kind == "call":
+            entries: list[Tree] = [("name", x) for x in _names(tree[1])[1:]]
+            return [entries[:2], entries[2:]]
+        if tree[0] == "call":
             return self.call(tree[1], tree[2])
-        if kind == "neg":
+        if tree[0] == "neg":
             return _entrywise(self.value(tree[1]), lambda x: ("neg", x))
-        if kind == "pow":
+        if tree[0] == "pow":
             base = self.value(tree[1])
             if isinstance(base, tuple):
                 return ("pow", base, tree[2])
@@ -102,9 +100,9 @@ class _MatrixWriter:
             for _ in range(tree[2] - 1):
                 found = _joined("*", found, base)
             return found
-        if kind in ("+", "-", "*", "/"):
-            return _joined(kind, self.value(tree[1]), self.value(tree[2]))
-        if kind == "index":
+        if tree[0] in ("+", "-", "*", "/"):
+            return _joined(tree[0], self.value(tree[1]), self.value(tree[2]))
+        if tree[0] == "index":
             return ("index", self.single(tree[1]), tree[2])
         reject("expected a term where there is a statement")
 
@@ -144,8 +142,8 @@ class _MatrixWriter:
             return ("call", "norm", (x,))
 
         # the determinant of the four by four matrix over a splitting field
-        corner = ("*", ("*", ("call", "conj", (a,)), b), ("*", ("call", "conj", (d,)), c))
-        squares = ("+", ("*", norm(a), norm(d)), ("*", norm(b), norm(c)))
+        corner: Tree = ("*", ("*", ("call", "conj", (a,)), b), ("*", ("call", "conj", (d,)), c))
+        squares: Tree = ("+", ("*", norm(a), norm(d)), ("*", norm(b), norm(c)))
         return ("-", squares, ("call", "trace", (corner,)))
 
 
@@ -176,7 +174,7 @@ def _alike(left: Value, right: Value) -> tuple[Matrix, Matrix]:
     return out[0], out[1]
 
 
-def _joined(operator: str, left: Value, right: Value) -> Value:
+def _joined(operator: Operator, left: Value, right: Value) -> Value:
     """Write out a sum, a difference, a product or a quotient."""
     spend(20)
     if isinstance(left, tuple) and isinstance(right, tuple):

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.glossary import FIELD, ORDERED_FIELDS
-from hfield.checker.language import ORDER, Tree
+from hfield.checker.language import ORDER, Tree, children
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.ring import AnyRing
 from hfield.checker.scalars.surds import Reals, Surd
@@ -65,8 +65,7 @@ def _names(tree: Tree) -> set[str]:
         node = stack.pop()
         if node[0] == "name":
             out.add(node[1])
-        parts = node[2] if node[0] == "call" else node[1:]
-        stack.extend(x for x in parts if isinstance(x, tuple))
+        stack.extend(children(node))
     return out
 
 

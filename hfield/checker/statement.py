@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from hfield.checker.budget import spend
-from hfield.checker.language import FUNCTIONS, Tree, parse, split, substitute, walk
+from hfield.checker.language import FUNCTIONS, Call, NameTree, Tree, parse, split, substitute, walk
 from hfield.checker.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.checker.rejection import reject, shown
 from hfield.checker.scalars.ring import AnyRing
@@ -204,13 +204,12 @@ class _StatementReader:
     def truth(self, tree: Tree) -> None:
         """Read a statement without quantifiers."""
         spend(5)
-        kind = tree[0]
-        if kind in ("==", "!="):
-            self.unequal |= kind == "!="
+        if tree[0] in ("==", "!="):
+            self.unequal |= tree[0] == "!="
             self.term(tree[1])
             self.term(tree[2])
-        elif kind in ("and", "or", "=>", "<=>", "not"):
-            self.unequal |= kind == "not"
+        elif tree[0] in ("and", "or", "=>", "<=>", "not"):
+            self.unequal |= tree[0] == "not"
             for part in tree[1:]:
                 self.truth(part)
         else:
@@ -219,30 +218,29 @@ class _StatementReader:
     def term(self, tree: Tree) -> str:
         """Read a term and return its sort."""
         spend(5)
-        kind = tree[0]
-        if kind == "num":
+        if tree[0] == "num":
             self.divides |= isinstance(tree[1], Fraction)
             return "s"
-        if kind == "name":
+        if tree[0] == "name":
             return self.name(tree)
-        if kind in ("neg", "pow"):
-            self.divides |= kind == "pow" and tree[2] < 0
+        if tree[0] in ("neg", "pow"):
+            self.divides |= tree[0] == "pow" and tree[2] < 0
             return self.term(tree[1])
-        if kind == "index":
+        if tree[0] == "index":
             self.term(tree[1])
             return "s"
-        if kind in ("+", "-", "*", "/"):
+        if tree[0] in ("+", "-", "*", "/"):
             left, right = self.term(tree[1]), self.term(tree[2])
-            if kind == "/":
+            if tree[0] == "/":
                 self.divides = True
                 if right == "q":
                     reject("only scalars divide")
             return "s" if left == right == "s" else "q"
-        if kind == "call":
+        if tree[0] == "call":
             return self.call(tree)
         reject("expected a term where there is a statement")
 
-    def name(self, tree: Tree) -> str:
+    def name(self, tree: NameTree) -> str:
         """Read a name."""
         name = tree[1]
         if len(name) == 1 and name in BASIS:
@@ -255,7 +253,7 @@ class _StatementReader:
         self.constants.setdefault(tree)
         return "s"
 
-    def call(self, tree: Tree) -> str:
+    def call(self, tree: Call) -> str:
         """Read a function."""
         function, arguments = tree[1], tree[2]
         if function not in FUNCTIONS:

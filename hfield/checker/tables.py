@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import TypeAlias
 
 from hfield.checker.budget import spend
-from hfield.checker.language import WORDS, Tree, parse, split, walk
+from hfield.checker.language import WORDS, Operator, Tree, children, parse, split, walk, with_parts
 from hfield.checker.matrices import ENTRIES, MAKERS, MATRICES
 from hfield.checker.rejection import reject, shown
 from hfield.checker.scalars.ring import AnyRing
@@ -118,20 +118,19 @@ class _Linear:
     def vector(self, tree: Tree) -> Vector:
         """Return the coordinates as trees."""
         spend(5 + len(self.names))
-        kind = tree[0]
-        if kind == "name" and tree[1] in self.names:
+        if tree[0] == "name" and tree[1] in self.names:
             return [ONE if tree[1] == name else ZERO for name in self.names]
         if tree == ZERO:
             return [ZERO for _ in self.names]
-        if kind == "neg":
+        if tree[0] == "neg":
             return _negative(self.vector(tree[1]))
-        if kind in ("+", "-"):
-            return _added(kind, self.vector(tree[1]), self.vector(tree[2]))
-        if kind == "*" and self.is_scalar(tree[1]):
+        if tree[0] in ("+", "-"):
+            return _added(tree[0], self.vector(tree[1]), self.vector(tree[2]))
+        if tree[0] == "*" and self.is_scalar(tree[1]):
             return [_times(tree[1], c) for c in self.vector(tree[2])]
-        if kind in ("*", "/") and self.is_scalar(tree[2]):
+        if tree[0] in ("*", "/") and self.is_scalar(tree[2]):
             return [
-                c if c == ZERO else _times(c, tree[2]) if kind == "*" else ("/", c, tree[2])
+                c if c == ZERO else _times(c, tree[2]) if tree[0] == "*" else ("/", c, tree[2])
                 for c in self.vector(tree[1])
             ]
         reject("an entry of a table is a combination of basis vectors")
@@ -147,9 +146,7 @@ def in_coordinates(tree: Tree, table: Table) -> Tree:
         spend(1)
         if size > MAX_TERMS:
             reject("in coordinates the statement is too long")
-        stack.extend(x for x in node[1:] if isinstance(x, tuple) and x and isinstance(x[0], str))
-        if node[0] == "call":
-            stack.extend(node[2])
+        stack.extend(children(node))
     return written
 
 
@@ -179,28 +176,27 @@ class _TableWriter:
     def truth(self, tree: Tree) -> Tree:
         """Write out a statement."""
         spend(5)
-        kind = tree[0]
-        if kind == "exists":
+        if tree[0] == "exists":
             if any(name in self.names for name in tree[1]):
                 reject("'exists' binds no basis vector")
             bound = [x for name in tree[1] for x in self.blocks.get(name, (name,))]
             return ("exists", tuple(bound), self.truth(tree[2]))
-        if kind in ("and", "or", "=>", "<=>", "not"):
-            return (kind, *(self.truth(x) for x in tree[1:]))
-        if kind not in ("==", "!="):
+        if tree[0] in ("and", "or", "=>", "<=>", "not"):
+            return with_parts(tree, self.truth)
+        if tree[0] not in ("==", "!="):
             reject("expected a statement such as p == q where there is a term")
         self.quotients, self.elements = [], False
         left, right = self.value(tree[1]), self.value(tree[2])
         if isinstance(left, tuple) and isinstance(right, tuple):
-            parts: list[Tree] = [(kind, left, right)]
+            parts: list[Tree] = [(tree[0], left, right)]
             if not self.elements:
                 return parts[0]
         else:
             x, y = self.vector(left), self.vector(right)
-            parts = [(kind, a, b) for a, b in zip(x, y, strict=True)]
+            parts = [(tree[0], a, b) for a, b in zip(x, y, strict=True)]
         out = parts[0]
         for part in parts[1:]:
-            out = ("and" if kind == "==" else "or", out, part)
+            out = ("and" if tree[0] == "==" else "or", out, part)
         for q in self.quotients:
             out = ("and", out, ("==", q, q))
         return out
@@ -218,26 +214,25 @@ class _TableWriter:
     def value(self, tree: Tree) -> Value:
         """Write out a term."""
         spend(5 + len(self.names))
-        kind = tree[0]
-        if kind == "num":
+        if tree[0] == "num":
             if isinstance(tree[1], Fraction):
                 self.quotients.append(tree)
             return tree
-        if kind == "name":
+        if tree[0] == "name":
             return self.name(tree[1], tree)
-        if kind == "neg":
+        if tree[0] == "neg":
             x = self.value(tree[1])
             return [("neg", c) for c in x] if isinstance(x, list) else ("neg", x)
-        if kind == "index":
+        if tree[0] == "index":
             x = self.value(tree[1])
             if not isinstance(x, list) or tree[2] >= len(x):
                 reject(f"there is no coordinate {tree[2]} here")
             return x[tree[2]]
-        if kind == "pow":
+        if tree[0] == "pow":
             return self.power(self.value(tree[1]), tree[2])
-        if kind in ("+", "-", "*", "/"):
-            return self.binary(kind, self.value(tree[1]), self.value(tree[2]))
-        if kind == "call":
+        if tree[0] in ("+", "-", "*", "/"):
+            return self.binary(tree[0], self.value(tree[1]), self.value(tree[2]))
+        if tree[0] == "call":
             if tree[1] == "comm" and len(tree[2]) == 2:
                 x, y = (self.vector(self.value(z)) for z in tree[2])
                 return _added("-", self.product(x, y), self.product(y, x))
@@ -264,7 +259,7 @@ class _TableWriter:
     def power(self, x: Value, exponent: int) -> Value:
         """Return the left-associated power."""
         if isinstance(x, tuple):
-            power = ("pow", x, exponent)
+            power: Tree = ("pow", x, exponent)
             if exponent < 0:
                 self.quotients.append(power)
             return power
@@ -277,7 +272,7 @@ class _TableWriter:
             out = self.product(out, x)
         return out
 
-    def binary(self, kind: str, x: Value, y: Value) -> Value:
+    def binary(self, kind: Operator, x: Value, y: Value) -> Value:
         """Add, subtract, multiply or divide."""
         if kind == "/":
             if isinstance(y, list):
@@ -288,7 +283,7 @@ class _TableWriter:
         if kind in ("+", "-"):
             return _added(kind, self.vector(x), self.vector(y))
         if isinstance(y, tuple):
-            return [c if c == ZERO else (kind, c, y) for c in x]
+            return [c if c == ZERO else (kind, c, y) for c in self.vector(x)]
         if isinstance(x, tuple):
             return [_times(c, x) for c in y]
         return self.product(x, y)
@@ -328,8 +323,8 @@ def _total(terms: Vector) -> Tree:
     return terms[0] if terms else ZERO
 
 
-def _added(kind: str, x: Vector, y: Vector) -> Vector:
-    out = []
+def _added(kind: Operator, x: Vector, y: Vector) -> Vector:
+    out: Vector = []
     for a, b in zip(x, y, strict=True):
         if ZERO not in (a, b):
             out.append((kind, a, b))

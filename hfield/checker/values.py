@@ -25,7 +25,9 @@ def trees_of_values(ring: AnyRing, values: object, unknowns: Unknowns) -> dict[s
     for name, entries in _texts(values, unknowns).items():
         tree = parse(entries[0])
         if len(entries) == 4:
-            parts = [("*", parse(c), ("name", u)) for c, u in zip(entries, "eijk", strict=True)]
+            parts: list[Tree] = [
+                ("*", parse(c), ("name", u)) for c, u in zip(entries, "eijk", strict=True)
+            ]
             tree = ("+", ("+", parts[0], parts[1]), ("+", parts[2], parts[3]))
         out[name] = tree
     return out

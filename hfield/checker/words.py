@@ -9,7 +9,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from hfield.checker.budget import spend
-from hfield.checker.language import ORDER, Tree, walk
+from hfield.checker.language import ORDER, Operator, Tree, walk, with_parts
 from hfield.checker.matrices import ENTRIES
 from hfield.checker.rejection import reject, shown
 from hfield.checker.scalars.ring import AnyRing
@@ -58,31 +58,39 @@ class _Writer:
     def statement(self, tree: Tree, claimed: bool) -> Tree:
         """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
         spend(5)
-        kind = tree[0]
-        if kind == "exists":
+        if tree[0] == "exists":
             return ("exists", tree[1], self.statement(tree[2], claimed))
-        if kind == "not":
+        if tree[0] == "not":
             return ("not", self.statement(tree[1], not claimed))
-        if kind == "<=>" and any(node[0] in ORDER for node in walk(tree)):
-            first = ("=>", self.statement(tree[1], not claimed), self.statement(tree[2], claimed))
-            second = ("=>", self.statement(tree[2], not claimed), self.statement(tree[1], claimed))
+        if tree[0] == "<=>" and any(node[0] in ORDER for node in walk(tree)):
+            first: Tree = (
+                "=>",
+                self.statement(tree[1], not claimed),
+                self.statement(tree[2], claimed),
+            )
+            second: Tree = (
+                "=>",
+                self.statement(tree[2], not claimed),
+                self.statement(tree[1], claimed),
+            )
             return ("and", first, second)
-        if kind in ("and", "or", "=>", "<=>"):
-            left = self.statement(tree[1], claimed != (kind == "=>"))
-            return (kind, left, self.statement(tree[2], claimed))
-        if kind in ORDER:
-            return self.order(kind, self.write(tree[1]), self.write(tree[2]), claimed)
+        if tree[0] in ("and", "or", "=>", "<=>"):
+            left = self.statement(tree[1], claimed != (tree[0] == "=>"))
+            return (tree[0], left, self.statement(tree[2], claimed))
+        if tree[0] in ORDER:
+            return self.order(tree[0], self.write(tree[1]), self.write(tree[2]), claimed)
         return self.write(tree)
 
-    def order(self, kind: str, left: Tree, right: Tree, claimed: bool) -> Tree:
+    def order(self, kind: Operator, left: Tree, right: Tree, claimed: bool) -> Tree:
         """Write out a comparison: x is nonnegative if it is a square, negative if −x is one and x ≠ 0."""
         if self.quantified:
             reject("a statement cannot have both a comparison and 'exists'")
         if not (self.is_scalar(left) and self.is_scalar(right)):
             reject(f"{kind} compares scalars")
-        x = ("-", left, right) if kind in (">=", ">") else ("-", right, left)
+        x: Tree = ("-", left, right) if kind in (">=", ">") else ("-", right, left)
         z = self.helper()
-        square, zero = ("pow", z, 2), ("num", 0)
+        square: Tree = ("pow", z, 2)
+        zero: Tree = ("num", 0)
         if claimed:
             positive: Tree = ("!=", x, ("neg", square))
             return positive if kind in (">", "<") else ("or", ("==", x, zero), positive)
@@ -93,7 +101,7 @@ class _Writer:
         """Write out a term, or a comparison by == or !=."""
         spend(5)
         if tree[0] != "call":
-            return (tree[0], *(self.write(x) if isinstance(x, tuple) else x for x in tree[1:]))
+            return with_parts(tree, self.write)
         arguments = tuple(map(self.write, tree[2]))
         function = tree[1]
         if function not in ARGUMENTS:
@@ -102,10 +110,11 @@ class _Writer:
             reject(f"{shown(function)} does not take {len(arguments)} arguments")
         if function == "abs":
             return self.modulus(arguments[0])
-        x, y = (("call", "vector", (z,)) for z in arguments)
+        vectors: list[Tree] = [("call", "vector", (x,)) for x in arguments]
+        product: Tree = ("*", vectors[0], vectors[1])
         if function == "cross":
-            return ("call", "vector", (("*", x, y),))
-        return ("neg", ("call", "scalar", (("*", x, y),)))
+            return ("call", "vector", (product,))
+        return ("neg", ("call", "scalar", (product,)))
 
     def modulus(self, x: Tree) -> Tree:
         """Return m² for a new m with m⁴ = norm(x)."""

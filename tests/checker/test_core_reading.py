@@ -112,6 +112,25 @@ def test_texts_that_are_no_statements(text: str) -> None:
     rejects(certified(text, None, "identity", IDENTITY), ".")
 
 
+@subcases("name", ["call", "name", "num", "neg", "pow", "index"])
+def test_names_that_exists_binds_are_no_trees(name: str) -> None:
+    """A tuple of names may begin like a tree."""
+    bound = f"(exists {name}, x: 0 == 0)"
+    for text in (
+        f"dot(1, {bound}) == 1",
+        f"1 + {bound} >= 0",
+        f"abs({bound}) == 1",
+        f"matrix({bound}, 1, 1, 1) == 1",
+    ):
+        rejects(
+            certified(text, "QQ", "identity", IDENTITY),
+            "expected a term|cannot have both|compares scalars",
+        )
+    data = certified(f"exists {name}, x: 0 == 0", "QQ", "identity", IDENTITY)
+    rejects(data, "cannot bind")
+    rejects({**data, "algebra": "table(e; 1 = e: e|QQ)"}, "cannot bind")
+
+
 def test_trees() -> None:
     with pytest.raises(Rejected, match="characters"):
         parse("q" * 20_001)

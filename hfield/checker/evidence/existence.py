@@ -35,7 +35,7 @@ def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResu
     if len(entries) > MAX_CASES:
         reject(f"there are {len(entries)} cases; at most {MAX_CASES} are read")
     given, findings = {name for name, _ in statement.given}, list[CheckResult]()
-    cover: Tree = ()
+    cover: Tree | None = None
     for entry in entries:
         case = an_object(entry, "when terms proof", "a case")
         when: Tree = parse(a_text(case["when"], "the condition of a case"))
@@ -44,7 +44,8 @@ def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResu
             reject("the condition of a case is not about the unknowns that are given")
         instance = _put_in(case["terms"], statement, setting)
         findings.append(prove(("=>", when, instance), setting, case["proof"]))
-        cover = ("or", cover, when) if cover else when
+        cover = when if cover is None else ("or", cover, when)
+    assert cover is not None, "there is a case"
     for h in reversed(statement.hypotheses):
         cover = ("=>", h, cover)
     findings.append(prove(cover, setting, data["cover"]))

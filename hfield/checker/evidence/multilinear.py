@@ -31,19 +31,20 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
     if not all(_degrees(side, names) <= {(1,) * len(names)} for side in tree[1:]):
         reject("a side of the equation is not linear in each unknown")
     if setting.field is None:
-        _check_tuples(statement, setting, ZZ, names, data)
+        _check_tuples(statement, setting, ZZ, tree[1:], data)
     else:
-        _check_tuples(statement, setting, setting.field, names, data)
+        _check_tuples(statement, setting, setting.field, tree[1:], data)
 
 
 def _check_tuples(
     statement: Statement,
     setting: Setting,
     ring: Ring[E],
-    names: list[str],
+    sides: tuple[Tree, Tree],
     data: Mapping[str, object],
 ) -> None:
     """Check the values of both sides of the equation at all tuples of basis vectors, over a ring."""
+    names = [name for name, _ in statement.unknowns]
     listed: dict[str, list[E]] = {}
     for entry in a_list(data["tuples"], "tuples", 1):
         if not isinstance(entry, list) or len(entry) != 2 or not isinstance(entry[0], str):
@@ -63,7 +64,7 @@ def _check_tuples(
             for name, letter in zip(names, word, strict=True)
         }
         evaluator = evaluator_at(ring, setting, statement, values)
-        for side in statement.conclusion[1:]:
+        for side in sides:
             found = evaluator.quaternion(evaluator.value(side))  # nothing divides, so it is defined
             pairs = zip(found, listed[word], strict=True)
             if evaluator.conditions or not all(ring.equal(u, v) for u, v in pairs):
@@ -72,20 +73,19 @@ def _check_tuples(
 
 def _degrees(tree: Tree, names: list[str]) -> Degrees:
     """Return the degrees of the terms in each unknown; reject terms that are not multilinear."""
-    kind = tree[0]
-    if kind == "num" and isinstance(tree[1], int):
+    if tree[0] == "num" and isinstance(tree[1], int):
         return {(0,) * len(names)} if tree[1] else set()
-    if kind == "name":
+    if tree[0] == "name":
         return {tuple(int(tree[1] == name) for name in names)}
-    if kind in ("neg", "index"):
+    if tree[0] in ("neg", "index"):
         return _degrees(tree[1], names)
-    if kind == "call" and tree[1] in ("conj", "trace", "scalar", "vector"):
+    if tree[0] == "call" and tree[1] in ("conj", "trace", "scalar", "vector"):
         return _degrees(tree[2][0], names)
     spend(5)
-    if kind in ("+", "-"):
+    if tree[0] in ("+", "-"):
         return _degrees(tree[1], names) | _degrees(tree[2], names)
-    if kind == "*" or (kind == "call" and tree[1] == "comm"):
-        left, right = (_degrees(x, names) for x in (tree[1:] if kind == "*" else tree[2]))
+    if tree[0] == "*" or (tree[0] == "call" and tree[1] == "comm"):
+        left, right = (_degrees(x, names) for x in (tree[1:] if tree[0] == "*" else tree[2]))
         if len(left) * len(right) > MAX_TUPLES:
             reject("a side of the equation has too many degrees")
         spend(len(left) * len(right))

@@ -35,17 +35,16 @@ def _top(tree: Tree, name: str) -> Top:
     """Return the leading part of a polynomial in the name."""
     if ("name", name) not in walk(tree):
         return 0, _is_not_zero(tree)
-    kind = tree[0]
-    if kind == "name":
+    if tree[0] == "name":
         return 1, True
-    if kind == "neg":
+    if tree[0] == "neg":
         return _top(tree[1], name)
-    if kind in ("+", "-"):
+    if tree[0] in ("+", "-"):
         return _sum(_top(tree[1], name), _top(tree[2], name))
-    if kind == "*":
+    if tree[0] == "*":
         (m, first), (n, second) = _top(tree[1], name), _top(tree[2], name)
         return m + n, first and second
-    if kind == "pow" and tree[2] >= 0:
+    if tree[0] == "pow" and tree[2] >= 0:
         degree, single = _top(tree[1], name)
         return degree * tree[2], single
     reject(f"{name} stands where no polynomial in it has it")

@@ -70,14 +70,13 @@ def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
 
     Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
     """
-    kind = tree[0]
-    if kind in ("==", "!="):
-        return bool((kind == "==") == said)
-    if kind == "not":
+    if tree[0] in ("==", "!="):
+        return bool((tree[0] == "==") == said)
+    if tree[0] == "not":
         return _is_identity(tree[1], not said, infinite)
-    if kind == "<=>" or not (infinite or (kind == "and") == said):
+    if tree[0] not in ("and", "or", "=>") or not (infinite or (tree[0] == "and") == said):
         return False
-    left = _is_identity(tree[1], said != (kind == "=>"), infinite)
+    left = _is_identity(tree[1], said != (tree[0] == "=>"), infinite)
     return left and _is_identity(tree[2], said, infinite)
 
 

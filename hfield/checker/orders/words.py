@@ -25,7 +25,7 @@ from functools import partial
 from typing import TypeVar
 
 from hfield.checker.check_result import CheckResult
-from hfield.checker.language import Tree
+from hfield.checker.language import Meaning
 from hfield.checker.orders import embeddings, newforms, statements
 from hfield.checker.orders.reading import Data, OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
@@ -167,7 +167,7 @@ def _established(
     return check(reader(setting, data), parts)
 
 
-def order_meaning(word: str, parts: tuple[str, ...]) -> Tree:
+def order_meaning(word: str, parts: tuple[str, ...]) -> Meaning:
     """Return what a statement over ℚ says, however it is written; a basis is not changed."""
     readers = PARTS[word]
     if len(parts) != len(readers) and (word, len(parts)) != ("order", 2):

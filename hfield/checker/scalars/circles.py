@@ -94,21 +94,20 @@ class Circles(Functions[Hashable]):
 
 def _angle(tree: Tree) -> dict[str, Fraction] | None:
     """Return the multiples of names in a linear combination of them, None for all else."""
-    kind = tree[0]
-    if kind == "name":
+    if tree[0] == "name":
         return {tree[1]: Fraction(1)}
-    if kind == "neg":
+    if tree[0] == "neg":
         return _scaled(_angle(tree[1]), Fraction(-1))
-    if kind in ("+", "-"):
-        x, y = _angle(tree[1]), _scaled(_angle(tree[2]), Fraction(1 if kind == "+" else -1))
+    if tree[0] in ("+", "-"):
+        x, y = _angle(tree[1]), _scaled(_angle(tree[2]), Fraction(1 if tree[0] == "+" else -1))
         if x is None or y is None:
             return None
         return {t: x.get(t, Fraction(0)) + y.get(t, Fraction(0)) for t in {**x, **y}}
-    if kind == "*":
+    if tree[0] == "*":
         for factor, rest in ((tree[1], tree[2]), (tree[2], tree[1])):
             if (c := _number(factor)) is not None:
                 return _scaled(_angle(rest), c)
-    if kind == "/":
+    if tree[0] == "/":
         c = _number(tree[2])
         return _scaled(_angle(tree[1]), 1 / c) if c else None
     return None

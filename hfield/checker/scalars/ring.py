@@ -178,24 +178,23 @@ class Ring(ABC, Generic[E]):
 
     def value(self, tree: Tree, text: str) -> E:
         """Evaluate a term that names an element."""
-        kind = tree[0]
         result: E | None = None
-        if kind == "num":
+        if tree[0] == "num":
             result = self.fraction(tree[1])
-        elif kind == "neg":
+        elif tree[0] == "neg":
             result = self.neg(self.value(tree[1], text))
-        elif kind in ("+", "-", "*", "/"):
+        elif tree[0] in ("+", "-", "*", "/"):
             x, y = (self.value(t, text) for t in tree[1:])
-            second = self.inverse(y) if kind == "/" else self.neg(y) if kind == "-" else y
+            second = self.inverse(y) if tree[0] == "/" else self.neg(y) if tree[0] == "-" else y
             if second is not None:
-                result = self.add(x, second) if kind in "+-" else self.mul(x, second)
-        elif kind == "pow":
+                result = self.add(x, second) if tree[0] in "+-" else self.mul(x, second)
+        elif tree[0] == "pow":
             x = self.value(tree[1], text)
             if abs(tree[2]) > MAX_EXPONENT:
                 reject(f"the exponent in {shown(text)!r} is too large")
             base = self.inverse(x) if tree[2] < 0 else x
             result = None if base is None else self.power(base, abs(tree[2]))
-        elif kind in ("name", "call"):
+        elif tree[0] in ("name", "call"):
             result = self.constant(tree)
         if result is None:
             reject(f"{shown(text)!r} is not an element of {self.name}")

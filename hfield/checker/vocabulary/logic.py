@@ -26,7 +26,7 @@ from hfield.checker.glossary import (
     INDUCTION,
     WITNESS,
 )
-from hfield.checker.language import BLANKS, Tree, parse, split, walk
+from hfield.checker.language import BLANKS, Meaning, parse, split, walk
 from hfield.checker.number_fields import class_groups
 from hfield.checker.orders import words as orders
 from hfield.checker.orders.words import PARTS as ORDERS
@@ -114,13 +114,13 @@ def need_meaning(p: VocabularyStatement, setting: Setting, depth: int = 0) -> No
             orders.need_order_meaning(inner.word, inner.parts, there)
 
 
-def proposition_tree(p: VocabularyStatement, depth: int = 0) -> Tree:
+def proposition_tree(p: VocabularyStatement, depth: int = 0) -> Meaning:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
     if p.word in ORDERS:
         return orders.order_meaning(p.word, p.parts)
     if p.word in SPECIAL:
         return (p.word, p.parts)
-    out: list[str | Tree] = []
+    out: list[str | Meaning] = []
     for part in p.parts:
         if p.word in NAMED and not out:  # the name in front
             out.append(part)
@@ -364,7 +364,7 @@ class _Logic:
         return found.within(FIELDS)
 
 
-def meaning(statement: str) -> Tree:
+def meaning(statement: str) -> Meaning:
     """Return a statement of any kind as a tree, without blanks and superfluous parentheses."""
     p = read_proposition(statement)
     if p is not None:

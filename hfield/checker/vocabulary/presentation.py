@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from hfield.checker.budget import spend, spend_products
 from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
-from hfield.checker.language import Tree, parse
+from hfield.checker.language import Binary, Meaning, Tree, parse
 from hfield.checker.rejection import (
     MAX_DIGITS,
     a_list,
@@ -34,7 +34,7 @@ class Presentation:
     identity: bool
     relations: tuple[Words, ...]
     goals: tuple[Words, ...]
-    tree: Tree
+    tree: Meaning
 
 
 def read_presentation(text: str) -> Presentation | None:
@@ -53,7 +53,7 @@ def read_presentation(text: str) -> Presentation | None:
     return Presentation(identity, tuple(relations), tuple(goals), (letters, tree))
 
 
-def _equations(tree: Tree) -> list[Tree]:
+def _equations(tree: Tree) -> list[Binary]:
     if tree[0] == "and":
         return _equations(tree[1]) + _equations(tree[2])
     if tree[0] != "==":
@@ -61,26 +61,25 @@ def _equations(tree: Tree) -> list[Tree]:
     return [tree]
 
 
-def _equation(tree: Tree, identity: bool) -> Words:
+def _equation(tree: Binary, identity: bool) -> Words:
     return _add(_words(tree[1], identity), _words(tree[2], identity), -1)
 
 
 def _words(tree: Tree, identity: bool) -> Words:
-    kind = tree[0]
-    if kind == "num" and isinstance(tree[1], int) and (identity or not tree[1]):
+    if tree[0] == "num" and isinstance(tree[1], int) and (identity or not tree[1]):
         return {"": tree[1]} if tree[1] else {}
-    if kind == "name" and tree[1] in ("e", "i", "j", "k"):
+    if tree[0] == "name" and tree[1] in ("e", "i", "j", "k"):
         return {"" if tree[1] == "e" and identity else tree[1]: 1}
-    if kind == "neg":
+    if tree[0] == "neg":
         return _add({}, _words(tree[1], identity), -1)
-    if kind in ("+", "-"):
+    if tree[0] in ("+", "-"):
         x, y = (_words(t, identity) for t in tree[1:])
-        return _add(x, y, 1 if kind == "+" else -1)
-    if kind == "*":
+        return _add(x, y, 1 if tree[0] == "+" else -1)
+    if tree[0] == "*":
         if tree[1][0] == "num" and isinstance(tree[1][1], int):
             return _add({}, _words(tree[2], identity), tree[1][1])
         return _times(_words(tree[1], identity), _words(tree[2], identity))
-    if kind == "pow" and 0 < tree[2] <= MAX_WORD:
+    if tree[0] == "pow" and 0 < tree[2] <= MAX_WORD:
         x = out = _words(tree[1], identity)
         for _ in range(tree[2] - 1):
             out = _times(out, x)
