@@ -48,10 +48,10 @@ class Finite(Ring[E]):
     """The common part of finite fields and ℤ/n."""
 
     order: int
-    degree = 1  # over GF(p)
+    digits = 1  # the coefficients of an element
 
-    def from_digits(self, digits: Sequence[int]) -> E:
-        """Return the element with these numbers from 0 to p − 1 as coefficients, as many as the degree."""
+    def from_digits(self, values: Sequence[int]) -> E:
+        """Return the element with so many coefficients, numbers from 0 to p − 1."""
         reject(f"elements of {self.name} are not read from coefficients")
 
     def is_square(self, x: E) -> bool:
@@ -96,9 +96,9 @@ class Residues(Finite[int]):
         self.is_long = n.bit_length() > LONG_NUMBER_BITS
         self.zero, self.one = 0, 1 % n
 
-    def from_digits(self, digits: Sequence[int]) -> int:
+    def from_digits(self, values: Sequence[int]) -> int:
         """Return the only digit."""
-        return digits[0]
+        return values[0]
 
     def number(self, n: int) -> int:
         """Return n·1."""
@@ -151,6 +151,7 @@ class Extension(Finite[Digits]):
 
     def __init__(self, p: int, n: int, modulus: Sequence[int] | None) -> None:
         self.characteristic, self.degree, self.order = p, n, p**n
+        self.digits = n
         self.is_wide = n >= 8
         self.words = f"the field with {self.order} elements"
         if modulus is None:
@@ -174,9 +175,9 @@ class Extension(Finite[Digits]):
             if not self._irreducible():
                 reject(f"the modulus of {shown(self.name)} is reducible")
 
-    def from_digits(self, digits: Sequence[int]) -> Digits:
+    def from_digits(self, values: Sequence[int]) -> Digits:
         """Return the class of a polynomial in x, low degree first."""
-        return tuple(digits)
+        return tuple(values)
 
     def number(self, n: int) -> Digits:
         """Return n·1."""

@@ -273,7 +273,7 @@ class Infinity(OverFiniteField[Fraction[E], E]):
 
 def _coefficient(base: Finite[E], value: object) -> tuple[E, str]:
     """Read an element of a finite field, an integer or a list of coefficients; return its text as well."""
-    p, degree = base.characteristic, base.degree
+    p, degree = base.characteristic, base.digits
     digits = [value] if degree == 1 else a_list(value, "a coefficient")
     found = [an_integer(c, "a coefficient", 0) for c in digits]
     if len(found) != degree or max(found) >= p:

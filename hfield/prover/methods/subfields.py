@@ -6,20 +6,22 @@ exact. Tried are some ℚ(√d), and fields that a root of an equation in the st
 somewhere in a subfield is false over ℚ_p, and what exists in a subfield exists.
 """
 
+from __future__ import annotations
+
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from dataclasses import replace
 from itertools import islice
-from typing import Any, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import flint
 
-from hfield.core.product import Constants, conjugate, multiply, norm, trace
+from hfield.core.product import Constants, Scalar, conjugate, multiply, norm, trace
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields import QQ
 from hfield.fields.algebraic.radicands import reduced
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import Ring, WithIntegers
 from hfield.fields.base.roots import integral, irreducible_factors, near_root
 from hfield.fields.names import ring
 from hfield.fields.quadratic_forms.global_field import known_field
@@ -38,27 +40,51 @@ FIELDS, SECONDS = 3, 5.0  # so many subfields are tried, for so long each
 SUBFIELD_RADICANDS = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
 
+class LocalNumber(Scalar, Protocol):
+    """An element of a local field: ``value`` is one of the global field, which it is or is near."""
+
+    value: flint.fmpq
+    field: CompletionAtPlace
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether it is an element of the global field."""
+
+
+class PrimeBelow(Protocol):
+    """A place of ℚ, by its prime number."""
+
+    below: int
+
+
 @runtime_checkable
 class CompletionAtPlace(Protocol):
     """A local field: the completion of a global one at a finite place."""
 
     global_field: Ring
-    place: Any
-    residues: Any
+    place: Hashable
+    residues: PrimeBelow
 
-    def __call__(self, x: object) -> Any:
+    @property
+    def zero(self) -> LocalNumber:
+        """The element 0."""
+
+    def __call__(self, x: object) -> LocalNumber:
         """Return an element of the field."""
 
-    def is_square(self, x: Any) -> bool:
+    def text(self, x: LocalNumber) -> str:
+        """Return the text of an element."""
+
+    def is_square(self, x: LocalNumber) -> bool:
         """Return whether x is a square."""
 
-    def sqrt(self, x: Any) -> Any:
+    def sqrt(self, x: LocalNumber) -> LocalNumber | None:
         """Return a square root to some digits."""
 
-    def truncated(self, x: Any, n: int) -> Any:
+    def truncated(self, x: flint.fmpq, n: int) -> flint.fmpq:
         """Return the standard element of the global field that is x up to n digits."""
 
-    def up_to(self, x: Any, n: int) -> Any:
+    def up_to(self, x: flint.fmpq, n: int) -> LocalNumber:
         """Return x with an O() after n digits."""
 
 
@@ -100,9 +126,9 @@ def _evidence(K: Ring, near: flint.fmpq, decision: Decision) -> Evidence | None:
     return Evidence(Kind.SUBFIELD, ring=K.data, root=QQ.text(near), witness=found)
 
 
-def _read_back(K: Any, root: Any, text: str) -> str:
+def _read_back(K: Ring, root: LocalNumber, text: str) -> str:
     """Write an element of K as ℚ_p reads it: I as a root, a generator of higher degree in digits."""
-    if K.degree == 2:
+    if isinstance(K, WithIntegers) and K.degree == 2:
         return re.sub(r"\bI\b", "sqrt(-1)", text)
     F, total = root.field, root.field.zero
     for c in reversed(K(text).poly.coeffs()):
@@ -113,7 +139,9 @@ def _read_back(K: Any, root: Any, text: str) -> str:
 def _subfields(F: CompletionAtPlace, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
     """Yield subfields of ℚ_p, each with a rational number near its generator."""
     for d in _radicands(F, problem):
-        yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, ROOT_DIGITS)
+        square_root = F.sqrt(F(d))
+        assert square_root is not None, "d is a square"
+        yield ring(f"QQ(sqrt({d}))"), F.truncated(square_root.value, ROOT_DIGITS)
     for f in _of_the_equations(problem):
         root = near_root(f, F.residues.below, ROOT_DIGITS)
         if root is not None:
