@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from hfield.checker.glossary import ALGEBRA, PRESENTATION
+from hfield.core.product import Scalar
 from hfield.errors import HFieldError, shorten
 from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
@@ -128,7 +129,7 @@ def _world(
     setting: Setting,
     F: Ring,
     witness: Mapping[str, Sequence[str]],
-) -> Evaluator:
+) -> Evaluator[Scalar, bool, bool]:
     """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
     own = {name: witness[name] for name, _ in statement.unknowns if name not in statement.helpers}
     if statement.ordered is not None:
@@ -143,7 +144,7 @@ def _world(
     return world
 
 
-def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
+def _failures(world: Evaluator[Scalar, bool, bool], statement: Statement, F: Ring) -> Iterator[str]:
     """Write the comparisons of the conclusion that are false."""
     conclusion = statement.conclusion
     if statement.ordered is not None:
@@ -159,7 +160,7 @@ def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
                 yield _chain(left, x, _FALSE[node.op], y, right)
 
 
-def _side(world: Evaluator, node: Node, F: Ring) -> tuple[str, str]:
+def _side(world: Evaluator[Scalar, bool, bool], node: Node, F: Ring) -> tuple[str, str]:
     """Return the text of a term and of its value, '' where it has none."""
     value, defined = world.term(node)
     if not defined:

@@ -17,7 +17,10 @@ FIRST_BITS = 128
 
 
 class RealPlace:
-    """The integers of a field, ordered by a real root of its polynomial."""
+    """The integers of a field, ordered by a real root of its polynomial.
+
+    ``zero`` is the product of each real number with 0; sums and products with it cost nothing.
+    """
 
     def __init__(self, integers: RingOfIntegers, root: RealRoot) -> None:
         self.integers, self._root = integers, root

@@ -80,7 +80,6 @@ class Given:
     zeta_theorems: tuple[str, ...] = ()
     """What is cited for ζ_K(−1)."""
     mass_theorem = MASS
-    class_number = 1
 
     def __init__(self, data: Data) -> None:
         self.data = data
@@ -89,6 +88,7 @@ class Given:
 class OverNumberFields(Given, ABC):
     """An algebra over ℚ or a number field."""
 
+    class_number = 1
     units: Sequence[Number]
     """The totally positive units modulo squares."""
 

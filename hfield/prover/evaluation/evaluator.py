@@ -6,11 +6,12 @@ product of :mod:`hfield.core.product`. A comparison with an undefined division i
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from operator import itemgetter, sub
-from typing import Any
+from typing import Generic, TypeAlias, TypeVar
 
 from hfield.core.product import Constants, conjugate, trace
-from hfield.prover.evaluation.scalars import Scalars, Value
+from hfield.prover.evaluation.scalars import C, Four, S, Scalars, T
 from hfield.prover.statements.language import BASIS, RESULT, Sort
 from hfield.prover.statements.printing import to_text
 from hfield.syntax import (
@@ -27,16 +28,33 @@ from hfield.syntax import (
     Power,
 )
 
-Values = Mapping[str, Any]
-Function = Callable[[Values], Any]
-Term = tuple[bool, Function]  # whether it is a tuple of four, and its value
+Values: TypeAlias = Mapping[str, S | tuple[S, ...]]
+V = TypeVar("V")
+Truth: TypeAlias = Callable[[Values[S]], T]
+
+
+@dataclass(frozen=True)
+class ScalarTerm(Generic[S]):
+    """A term whose values are scalars."""
+
+    value: Callable[[Values[S]], S]
+
+
+@dataclass(frozen=True)
+class QuaternionTerm(Generic[S]):
+    """A term whose values are tuples of four scalars."""
+
+    value: Callable[[Values[S]], Four[S]]
+
+
+Term: TypeAlias = ScalarTerm[S] | QuaternionTerm[S]
 
 
 class UndefinedTermError(Exception):
     """A term has no value at this place."""
 
 
-class Evaluator:
+class Evaluator(Generic[S, C, T]):
     """Evaluates statements in the algebra whose structure constants are ``trees``.
 
     ``sorts`` are the unknowns, ``fixed`` the values of the field's constants, by their texts. A truth value
@@ -45,19 +63,20 @@ class Evaluator:
 
     def __init__(
         self,
-        scalars: Scalars,
+        scalars: Scalars[S, C, T],
         trees: Iterable[Node] = (),
         sorts: Mapping[str, Sort] | None = None,
-        fixed: Values | None = None,
+        fixed: Mapping[str, S] | None = None,
     ) -> None:
-        self.scalars, self.sorts, self.fixed = scalars, sorts or {}, fixed or {}
+        self.scalars, self.sorts = scalars, sorts or {}
+        self.fixed: Mapping[str, S] = fixed or {}
         self.defined = scalars.always  # what the comparison that is being evaluated depends on
         self.partial = 0  # how many terms were read that need not be defined
-        self.values: Values = {}
+        self.values: Values[S] = {}
         self.constants = Constants(scalars.zero, scalars.zero, scalars.zero)
-        self.structure = [self._term(tree)[1] for tree in trees]
+        self.structure = [self._scalar(self._term(tree)) for tree in trees]
 
-    def bind(self, values: Values) -> Any:
+    def bind(self, values: Values[S]) -> C:
         """Assign values to the unknowns, and to the structure constants, which may depend on them.
 
         Returns the condition under which the structure constants are defined; elsewhere there is no
@@ -67,30 +86,30 @@ class Evaluator:
         try:
             self.constants = Constants(*(f(values) for f in self.structure))
         except UndefinedTermError:
-            return False
+            return self.scalars.never
         return self.defined
 
-    def truth(self, node: Node) -> Any:
+    def truth(self, node: Node) -> T:
         """Evaluate a statement without quantifiers at the values that are bound."""
         return self.function(node)(self.values)
 
-    def term(self, node: Node) -> Value:
+    def term(self, node: Node) -> tuple[S | Four[S], C]:
         """Evaluate a term to a scalar or to a tuple of four, with the condition of being defined."""
         self.defined = self.scalars.always
         try:
-            value = self._term(node)[1](self.values)
+            value = self._term(node).value(self.values)
         except UndefinedTermError:
-            return self.scalars.zero, False
+            return self.scalars.zero, self.scalars.never
         return value, self.defined
 
-    def embed(self, x: Any) -> tuple[Any, ...]:
+    def embed(self, x: S | Four[S]) -> Four[S]:
         """Return the coordinates of x, where a scalar s is s·e."""
         zero = self.scalars.zero
         return x if isinstance(x, tuple) else (x, zero, zero, zero)
 
     # --- statements ------------------------------------------------------------------------------
 
-    def function(self, node: Node) -> Function:
+    def function(self, node: Node) -> Truth[S, T]:
         """Return the truth of a statement without quantifiers as a function of the unknowns' values."""
         scalars = self.scalars
         match node:
@@ -103,196 +122,251 @@ class Evaluator:
                 return self._joined(op, self.function(x), self.function(y))
         raise AssertionError(node)
 
-    def _joined(self, op: str, f: Function, g: Function) -> Function:
+    def _joined(self, op: str, f: Truth[S, T], g: Truth[S, T]) -> Truth[S, T]:
         """Join statements. Where truth is plain one side often settles it; arrays and formulas need both."""
         both, either, negate = self.scalars.both, self.scalars.either, self.scalars.negate
+        true, false = self.scalars.true, self.scalars.false
 
-        def conjunction(v: Values) -> object:
+        def conjunction(v: Values[S]) -> T:
             first = f(v)
-            return False if first is False else both(first, g(v))
+            return false if first is false else both(first, g(v))
 
-        def disjunction(v: Values) -> object:
+        def disjunction(v: Values[S]) -> T:
             first = f(v)
-            return True if first is True else either(first, g(v))
+            return true if first is true else either(first, g(v))
 
-        def implication(v: Values) -> object:
+        def implication(v: Values[S]) -> T:
             first = f(v)
-            return True if first is False else either(negate(first), g(v))
+            return true if first is false else either(negate(first), g(v))
 
-        def equivalence(v: Values) -> object:
+        def equivalence(v: Values[S]) -> T:
             first, second = f(v), g(v)
             return both(either(negate(first), second), either(first, negate(second)))
 
         return {"and": conjunction, "or": disjunction, "=>": implication, "<=>": equivalence}[op]
 
-    def _comparison(self, node: Compare) -> Function:
+    def _comparison(self, node: Compare) -> Truth[S, T]:
         scalars = self.scalars
-        always = scalars.always
+        always, false = scalars.always, scalars.false
         compared = scalars.equal if node.op == "==" else scalars.unequal
         if scalars.reflexive and node.left == node.right:
             return lambda v: compared((), always)
         partial = self.partial
-        (four, f), (other, g) = left, right = self._term(node.left), self._term(node.right)
-        if four or other:
-            f, g = self._embedded(left), self._embedded(right)
-        if partial == self.partial:  # nothing divides
-            if four and node.right == Number(0):
-                return lambda v: compared(f(v), always)
-            if four or other:
-                return lambda v: compared(map(sub, f(v), g(v)), always)
-            return lambda v: compared((f(v) - g(v),), always)
+        left, right = self._term(node.left), self._term(node.right)
+        defined = partial == self.partial  # nothing divides
+        if isinstance(left, ScalarTerm) and isinstance(right, ScalarTerm):
+            return self._compared_scalars(compared, left.value, right.value, defined)
+        p, q = self._embedded(left), self._embedded(right)
+        if defined and isinstance(left, QuaternionTerm) and node.right == Number(0):
+            return lambda v: compared(p(v), always)
+        if defined:
+            return lambda v: compared(map(sub, p(v), q(v)), always)
 
-        def compare_quaternions(v: Values) -> object:
+        def compare_quaternions(v: Values[S]) -> T:
             self.defined = always
             try:
-                return compared(map(sub, f(v), g(v)), self.defined)
+                return compared(map(sub, p(v), q(v)), self.defined)
             except UndefinedTermError:
-                return False
+                return false
 
-        def compare_scalars(v: Values) -> object:
+        return compare_quaternions
+
+    def _compared_scalars(
+        self,
+        compared: Callable[[Iterable[S], C], T],
+        f: Callable[[Values[S]], S],
+        g: Callable[[Values[S]], S],
+        defined: bool,
+    ) -> Truth[S, T]:
+        always, false = self.scalars.always, self.scalars.false
+        if defined:
+            return lambda v: compared((f(v) - g(v),), always)
+
+        def compare_scalars(v: Values[S]) -> T:
             self.defined = always
             try:
                 return compared((f(v) - g(v),), self.defined)
             except UndefinedTermError:
-                return False
+                return false
 
-        return compare_quaternions if four or other else compare_scalars
+        return compare_scalars
 
     # --- terms -----------------------------------------------------------------------------------
 
-    def _term(self, node: Node) -> Term:
+    def _term(self, node: Node) -> Term[S]:
         """Return the sort of a term, and the function that computes its value."""
-        return _READERS[type(node)](self, node)
+        match node:
+            case Number():
+                return self._number(node)
+            case Name():
+                return self._name(node)
+            case Negate():
+                return self._negated(node)
+            case Binary():
+                return self._binary(node)
+            case Power():
+                return self._power(node)
+            case Index():
+                return self._index(node)
+            case Call():
+                return self._call(node)
+        raise AssertionError(node)
 
-    def _number(self, node: Number) -> Term:
+    def _number(self, node: Number) -> Term[S]:
         """Return a literal, which may be undefined."""
         x, condition = self.scalars.number(node.value)
         if condition is self.scalars.always:
-            return False, lambda v: x
-        return False, self._noted(lambda _: (x, condition), lambda v: None)
+            return ScalarTerm(lambda v: x)
+        return ScalarTerm(self._noted(lambda v: (x, condition)))
 
-    def _name(self, node: Name) -> Term:
+    def _name(self, node: Name) -> Term[S]:
         """Return the value of a name; e, i, j, k are the basis."""
         name = node.name
         if name in self.sorts:
-            return self.sorts[name] is Sort.QUATERNION, itemgetter(name)
+            four = self.sorts[name] is Sort.QUATERNION
+            return QuaternionTerm(itemgetter(name)) if four else ScalarTerm(itemgetter(name))
         if name in self.fixed:
-            return False, self._fixed(name)
+            return self._fixed(name)
         zero, one = self.scalars.zero, self.scalars.one
-        unit = tuple([one if name == basis else zero for basis in BASIS])
-        return True, lambda v: unit
+        a, b, c, d = [one if name == basis else zero for basis in BASIS]
+        unit = (a, b, c, d)
+        return QuaternionTerm(lambda v: unit)
 
-    def _fixed(self, text: str) -> Function:
+    def _fixed(self, text: str) -> Term[S]:
         value = self.fixed[text]
-        return lambda v: value
+        return ScalarTerm(lambda v: value)
 
-    def _negated(self, node: Negate) -> Term:
-        four, f = self._term(node.operand)
-        return four, (lambda v: tuple([-x for x in f(v)])) if four else (lambda v: -f(v))
+    def _negated(self, node: Negate) -> Term[S]:
+        term = self._term(node.operand)
+        if isinstance(term, ScalarTerm):
+            scalar = term.value
+            return ScalarTerm(lambda v: -scalar(v))
+        quaternion = term.value
 
-    def _index(self, node: Index) -> Term:
+        def negative(v: Values[S]) -> Four[S]:
+            a, b, c, d = quaternion(v)
+            return (-a, -b, -c, -d)
+
+        return QuaternionTerm(negative)
+
+    def _index(self, node: Index) -> Term[S]:
         coordinates, index = self._embedded(self._term(node.base)), node.index
-        return False, lambda v: coordinates(v)[index]
+        return ScalarTerm(lambda v: coordinates(v)[index])
 
-    def _embedded(self, term: Term) -> Function:
+    def _embedded(self, term: Term[S]) -> Callable[[Values[S]], Four[S]]:
         """Return the coordinates of a term, where a scalar s is s·e."""
-        four, f = term
-        zero = self.scalars.zero
-        return f if four else (lambda v: (f(v), zero, zero, zero))
+        if isinstance(term, QuaternionTerm):
+            return term.value
+        f, zero = term.value, self.scalars.zero
+        return lambda v: (f(v), zero, zero, zero)
 
-    def _binary(self, node: Binary) -> Term:
+    @staticmethod
+    def _scalar(term: Term[S]) -> Callable[[Values[S]], S]:
+        """Return the value of a term that is a scalar by its place."""
+        assert isinstance(term, ScalarTerm)
+        return term.value
+
+    def _binary(self, node: Binary) -> Term[S]:
         left, right = self._term(node.left), self._term(node.right)
         if node.op in "+-":
             return self._sum(node.op, left, right)
         if node.op == "/":
-            right = False, self._noted(self.scalars.reciprocal, right[1])
+            below, reciprocal = self._scalar(right), self.scalars.reciprocal
+            right = ScalarTerm(self._noted(lambda v: reciprocal(below(v))))
         return self._product(left, right)
 
-    def _sum(self, op: str, left: Term, right: Term) -> Term:
-        (four, f), (other, g) = left, right
-        if not (four or other):
-            return False, (lambda v: f(v) + g(v)) if op == "+" else (lambda v: f(v) - g(v))
-        f, g = self._embedded(left), self._embedded(right)
-        if op == "+":
-            return True, lambda v: tuple([x + y for x, y in zip(f(v), g(v), strict=True)])
-        return True, lambda v: tuple(map(sub, f(v), g(v)))
+    def _sum(self, op: str, left: Term[S], right: Term[S]) -> Term[S]:
+        if isinstance(left, ScalarTerm) and isinstance(right, ScalarTerm):
+            f, g = left.value, right.value
+            return ScalarTerm((lambda v: f(v) + g(v)) if op == "+" else (lambda v: f(v) - g(v)))
+        p, q = self._embedded(left), self._embedded(right)
 
-    def _product(self, left: Term, right: Term) -> Term:
-        (four, f), (other, g) = left, right
-        if four and other:
-            multiply = self.scalars.multiply
-            return True, lambda v: multiply(self.constants, f(v), g(v))
-        scale, times = self.scalars.scale, self.scalars.times
-        if four:
-            return True, lambda v: scale(f(v), g(v))
-        if other:
-            return True, lambda v: scale(g(v), f(v))
-        return False, lambda v: times(f(v), g(v))
+        def added(v: Values[S]) -> Four[S]:
+            (a, b, c, d), (w, x, y, z) = p(v), q(v)
+            return (a + w, b + x, c + y, d + z)
 
-    def _power(self, node: Power) -> Term:
+        def subtracted(v: Values[S]) -> Four[S]:
+            return difference(p(v), q(v))
+
+        return QuaternionTerm(added if op == "+" else subtracted)
+
+    def _product(self, left: Term[S], right: Term[S]) -> Term[S]:
+        scale, times, multiply = self.scalars.scale, self.scalars.times, self.scalars.multiply
+        if isinstance(left, ScalarTerm):
+            f = left.value
+            if isinstance(right, ScalarTerm):
+                g = right.value
+                return ScalarTerm(lambda v: times(f(v), g(v)))
+            q = right.value
+            return QuaternionTerm(lambda v: scale(q(v), f(v)))
+        p = left.value
+        if isinstance(right, ScalarTerm):
+            g = right.value
+            return QuaternionTerm(lambda v: scale(p(v), g(v)))
+        q = right.value
+        return QuaternionTerm(lambda v: multiply(self.constants, p(v), q(v)))
+
+    def _power(self, node: Power) -> Term[S]:
         """Return a power by repeated squaring; a negative one is one of the inverse."""
-        (four, f), exponent = self._term(node.base), node.exponent
-        if exponent < 0:
-            f = self._noted(self._inverse if four else self.scalars.reciprocal, f)
-        one, multiply, times = self.scalars.one, self.scalars.multiply, self.scalars.times
+        term, exponent = self._term(node.base), node.exponent
+        one, times, multiply = self.scalars.one, self.scalars.times, self.scalars.multiply
+        if exponent == 0:  # of what has to be defined
+            base: Callable[[Values[S]], S | Four[S]] = term.value
+            return ScalarTerm(lambda v: (base(v), one)[1])
+        if isinstance(term, ScalarTerm):
+            f, reciprocal = term.value, self.scalars.reciprocal
+            x = f if exponent > 0 else self._noted(lambda v: reciprocal(f(v)))
+            return ScalarTerm(lambda v: power(x(v), abs(exponent), times))
+        g = term.value
+        q = g if exponent > 0 else self._noted(lambda v: self._inverse(g(v)))
 
-        def power(v: Values) -> Any:
-            x, n = f(v), abs(exponent)
-            result: Any = None
-            while n:
-                if n & 1:
-                    if result is None:
-                        result = x
-                    else:
-                        result = multiply(self.constants, result, x) if four else times(result, x)
-                n >>= 1
-                if n:
-                    x = multiply(self.constants, x, x) if four else times(x, x)
-            return one if result is None else result
+        def product(x: Four[S], y: Four[S]) -> Four[S]:
+            return multiply(self.constants, x, y)
 
-        return four and exponent != 0, power
+        return QuaternionTerm(lambda v: power(q(v), abs(exponent), product))
 
-    def _inverse(self, q: Any) -> Value:
+    def _inverse(self, q: Four[S]) -> tuple[Four[S], C]:
         """Return the inverse of a quaternion."""
         factor, defined = self.scalars.reciprocal(self.scalars.norm(self.constants, q))
-        return tuple([u * factor for u in conjugate(self.constants, q)]), defined
+        w, x, y, z = conjugate(self.constants, q)
+        return (w * factor, x * factor, y * factor, z * factor), defined
 
-    def _call(self, node: Call) -> Term:
+    def _call(self, node: Call) -> Term[S]:
         """Return the value of a function of quaternions, or a constant of the field that is written so."""
         function = node.function
         if function not in RESULT:
-            return False, self._fixed(to_text(node))
+            return self._fixed(to_text(node))
         arguments = [self._embedded(self._term(x)) for x in node.arguments]
         f, zero = arguments[0], self.scalars.zero
         if function == "conj":
-            return True, lambda v: conjugate(self.constants, f(v))
+            return QuaternionTerm(lambda v: conjugate(self.constants, f(v)))
         if function == "norm":
             norm = self.scalars.norm
-            return False, lambda v: norm(self.constants, f(v))
+            return ScalarTerm(lambda v: norm(self.constants, f(v)))
         if function == "trace":
-            return False, lambda v: trace(self.constants, f(v))
+            return ScalarTerm(lambda v: trace(self.constants, f(v)))
         if function == "scalar":
-            return False, lambda v: f(v)[0]
+            return ScalarTerm(lambda v: f(v)[0])
         if function == "vector":
-            return True, lambda v: (zero, *f(v)[1:])
+            return QuaternionTerm(lambda v: (zero, *f(v)[1:]))
         if function == "inv":
-            return True, self._noted(self._inverse, f)
+            return QuaternionTerm(self._noted(lambda v: self._inverse(f(v))))
         g, multiply = arguments[1], self.scalars.multiply
 
-        def commutator(v: Values) -> Any:
+        def commutator(v: Values[S]) -> Four[S]:
             p, q, c = f(v), g(v), self.constants
-            return tuple(map(sub, multiply(c, p, q), multiply(c, q, p)))
+            return difference(multiply(c, p, q), multiply(c, q, p))
 
-        return True, commutator
+        return QuaternionTerm(commutator)
 
-    def _noted(self, of: Callable[[Any], Value], f: Function) -> Function:
-        """Return ``of`` after ``f``, and note the condition under which it is defined."""
-        always, together = self.scalars.always, self.scalars.together
+    def _noted(self, of: Callable[[Values[S]], tuple[V, C]]) -> Callable[[Values[S]], V]:
+        """Return the value, and note the condition under which it is defined."""
+        always, never, together = self.scalars.always, self.scalars.never, self.scalars.together
         self.partial += 1
 
-        def value(v: Values) -> Any:
-            x, condition = of(f(v))
-            if condition is False:
+        def value(v: Values[S]) -> V:
+            x, condition = of(v)
+            if condition is never:
                 raise UndefinedTermError
             if condition is not always:
                 self.defined = together(self.defined, condition)
@@ -301,12 +375,20 @@ class Evaluator:
         return value
 
 
-_READERS: dict[type[Node], Callable[[Evaluator, Any], Term]] = {
-    Number: Evaluator._number,
-    Name: Evaluator._name,
-    Negate: Evaluator._negated,
-    Binary: Evaluator._binary,
-    Power: Evaluator._power,
-    Index: Evaluator._index,
-    Call: Evaluator._call,
-}
+def difference(p: Four[S], q: Four[S]) -> Four[S]:
+    """Return p − q."""
+    (a, b, c, d), (w, x, y, z) = p, q
+    return (a - w, b - x, c - y, d - z)
+
+
+def power(x: V, n: int, times: Callable[[V, V], V]) -> V:
+    """Return xⁿ for n > 0 by repeated squaring."""
+    result: V | None = None
+    while n:
+        if n & 1:
+            result = x if result is None else times(result, x)
+        n >>= 1
+        if n:
+            x = times(x, x)
+    assert result is not None
+    return result

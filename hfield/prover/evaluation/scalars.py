@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
 from operator import and_, mul, or_, xor
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias
+from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
 
 from hfield.core.product import Constants, Scalar, SupportsArithmetic, multiply, norm
 from hfield.errors import NotInvertibleError, UndecidedError
@@ -19,31 +19,28 @@ from hfield.fields.base.coercion import fmpq
 from hfield.fields.base.ring import Ring
 
 if TYPE_CHECKING:
-    from typing_extensions import TypeVar
-
     from hfield.fields.base.flint_types import Rational
 
-    S = TypeVar("S", bound=SupportsArithmetic, default=Any)
-    C = TypeVar("C", default=Any)
-    T = TypeVar("T", default=Any)
-else:
-    from typing import TypeVar
-
-    S = TypeVar("S")  # a scalar
-    C = TypeVar("C")  # a condition: where a value is defined
-    T = TypeVar("T")  # a truth
+S = TypeVar("S", bound=SupportsArithmetic)  # a scalar
+C = TypeVar("C")  # a condition: where a value is defined
+T = TypeVar("T")  # a truth
 
 Four: TypeAlias = tuple[S, S, S, S]
 _ONE = fmpq(1)  # flint's fractions are several times as fast as Python's
-Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
 
 
 class Scalars(ABC, Generic[S, C, T]):
-    """Scalars with Python's ``+`` and ``-``, and truth values; ``always`` is the condition that holds."""
+    """Scalars with Python's ``+`` and ``-``, and truth values.
+
+    ``always`` and ``never`` are the conditions that hold everywhere and nowhere.
+    """
 
     zero: S
     one: S
     always: C
+    never: C
+    true: T
+    false: T
     reflexive = False  # whether a term is itself, so that this need not be evaluated
 
     @abstractmethod
@@ -98,14 +95,15 @@ class Scalars(ABC, Generic[S, C, T]):
         return norm(constants, q)
 
 
-class Decided(Scalars[S, T, T]):
+class Decided(Scalars[S, bool | T, bool | T]):
     """Scalars with a decidable test for 0: truth values are Python's, or arrays of numpy."""
 
-    always = True  # type: ignore[assignment]
+    always = true = True
+    never = false = False
     together = both = staticmethod(and_)  # type: ignore[assignment]
     either = staticmethod(or_)  # type: ignore[assignment]
 
-    def negate(self, x: T) -> T:
+    def negate(self, x: bool | T) -> bool | T:
         """Return the truth of "not x"."""
         return xor(x, True)  # type: ignore[no-any-return]
 
@@ -113,10 +111,10 @@ class Decided(Scalars[S, T, T]):
     def integer(self, n: int) -> S:
         """Return an integer as a scalar."""
 
-    def number(self, value: int | Fraction) -> tuple[S, T]:
+    def number(self, value: int | Fraction) -> tuple[S, bool | T]:
         """Return a literal; where its denominator has no inverse it is not defined."""
         if isinstance(value, int):
-            return self.integer(value), self.always  # type: ignore[return-value]
+            return self.integer(value), self.always
         x, defined = self.reciprocal(self.integer(value.denominator))
         return self.times(self.integer(value.numerator), x), defined
 
@@ -135,7 +133,23 @@ def some_nonzero(ring: Ring, elements: Iterable[Scalar]) -> bool:
     return False
 
 
-class RingScalars(Decided[Scalar, bool]):
+class OrderedScalars(Decided[S, bool]):
+    """Scalars that may have signs and square roots."""
+
+    @abstractmethod
+    def constant(self, text: str) -> S:
+        """Return the scalar that a text names."""
+
+    @abstractmethod
+    def sign(self, x: S) -> int:
+        """Return the sign of a scalar."""
+
+    @abstractmethod
+    def root(self, x: S) -> S:
+        """Return the square root of a scalar that is not negative. Raises HFieldError if not known."""
+
+
+class RingScalars(OrderedScalars[Scalar]):
     """Elements of a ring: a statement becomes true or false."""
 
     times = staticmethod(mul)  # type: ignore[assignment]
@@ -150,6 +164,21 @@ class RingScalars(Decided[Scalar, bool]):
         """Return n·1."""
         x: Scalar = self.ring(n)
         return x
+
+    def constant(self, text: str) -> Scalar:
+        """Return the element that a text names."""
+        return constant(self.ring, text)
+
+    def sign(self, x: Scalar) -> int:
+        """Return the sign of an element of an ordered ring."""
+        return self.ring.sign(x)
+
+    def root(self, x: Scalar) -> Scalar:
+        """Return the square root that is not negative."""
+        found: Scalar | None = self.ring.sqrt(x)
+        if found is None:
+            raise UndecidedError(f"a square root in {self.ring.name} is not known")
+        return found if self.sign(found) >= 0 else -found
 
     def reciprocal(self, x: Scalar) -> tuple[Scalar, bool]:
         """Return 1/x, if x is a unit."""
@@ -182,12 +211,12 @@ class PrimeScalars(Decided["Rational", bool]):
         """Return the number itself."""
         return n
 
-    def reciprocal(self, x: Any) -> tuple[Rational, bool]:
+    def reciprocal(self, x: Rational) -> tuple[Rational, bool]:
         """Return 1/x unless x is 0."""
         if not self.p:
             return (_ONE / x, True) if x else (0, False)
-        x %= self.p
-        return (pow(x, -1, self.p), True) if x else (0, False)
+        n = int(x) % self.p
+        return (pow(n, -1, self.p), True) if n else (0, False)
 
     def times(self, x: Rational, y: Rational) -> Rational:
         """Return a product below p."""
@@ -213,6 +242,7 @@ class PrimeScalars(Decided["Rational", bool]):
 
 
 @lru_cache(maxsize=1024)
-def constant(field: Ring, text: str) -> Any:
+def constant(field: Ring, text: str) -> Scalar:
     """Return the element of the field that ``text`` names."""
-    return field(text)
+    x: Scalar = field(text)
+    return x

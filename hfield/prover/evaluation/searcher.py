@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
+from typing import Any, TypeVar
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
@@ -13,10 +14,11 @@ from hfield.prover.statements.language import Sort, Statement
 from hfield.prover.statements.trees import walk
 from hfield.syntax import Name
 
+E = TypeVar("E", bound=Scalar)
 Assignment = dict[str, Scalar | tuple[Scalar, ...]]  # unknown → a scalar or a tuple of four
 
 
-def lifted(field: Ring, found: Mapping[str, object]) -> Assignment:
+def lifted(field: Ring[E], found: Mapping[str, object]) -> dict[str, E | tuple[E, ...]]:
     """Turn numbers, or the texts of coordinates, into elements of the field."""
     return {
         name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
@@ -51,7 +53,7 @@ class Searcher:
             own = problem.statement.constants
             fixed = {text: constant(scalars.ring, text) for text in own}
         trees, sorts = problem.setting.trees, problem.statement.sorts
-        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
+        self.evaluator: Evaluator[Any, bool, bool] = Evaluator(scalars, trees, sorts, fixed)
         self.holds = self.evaluator.function(problem.matrix)
         self.moving = bool(problem.letters)  # the structure constants, with the place
         self.exists = self.moving or bool(self.evaluator.bind({}))

@@ -14,7 +14,7 @@ from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Assignment, Searcher, assigned
-from hfield.prover.polynomials.expansion import Expanded, PolynomialFraction, Symbolic
+from hfield.prover.polynomials.expansion import Expanded, PolynomialFraction, Symbolic, Term
 from hfield.prover.polynomials.normal_form import branches
 from hfield.prover.polynomials.vanishing import Monomial, coefficients
 from hfield.prover.problem import Problem
@@ -217,7 +217,7 @@ def _read(problem: Problem, node: Compare) -> Quadratic | None:
     return half, (w, i, j, k)
 
 
-def _divided(value: Scalar, x: Expanded, field: Ring) -> Polynomial:
+def _divided(value: Term, x: Expanded, field: Ring) -> Polynomial:
     """Return the coefficients of a polynomial, or of a fraction whose denominator is a number."""
     if not isinstance(value, PolynomialFraction):
         return dict(coefficients(value, x, field))

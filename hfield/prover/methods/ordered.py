@@ -138,7 +138,11 @@ def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
     irrational = problem.statement.constants or any(
         isinstance(n, Call) and n.function == "abs" for n in walk_once(problem.statement.ordered)
     )
-    quick = OrderedEvaluator(reals, Numbers() if irrational else RingScalars(ring("QQ")))
+    quick = (
+        OrderedEvaluator(reals, Numbers())
+        if irrational
+        else OrderedEvaluator(reals, RingScalars(ring("QQ")))
+    )
     for place in _places(problem, whole):
         if problem.is_late:
             return None
@@ -152,7 +156,7 @@ def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
     return None
 
 
-def _downhill(problem: Problem, floats: OrderedEvaluator) -> Iterator[Assignment]:
+def _downhill(problem: Problem, floats: OrderedEvaluator[float]) -> Iterator[Assignment]:
     """Search places by descent for a negative value of an expression that is claimed to be nonnegative."""
     assert problem.statement.ordered is not None
     compared = floats.margins(taken_apart(problem.statement.ordered)[1])

@@ -183,8 +183,8 @@ def _is_unit(node: Node, field: Ring) -> bool:
             (below,) = found
     if any(isinstance(n, Name | Call | Index) for n in walk(below)):
         raise UndecidedError("the statement divides by more than numerals")
-    value, defined = Evaluator(RingScalars(field)).term(below)
-    return bool(defined) and field.is_unit(value)
+    x, defined = Evaluator(RingScalars(field)).term(below)
+    return defined and field.is_unit(x)
 
 
 def _modulo(problem: Problem, x: Expanded) -> Decision | None:

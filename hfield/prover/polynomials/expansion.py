@@ -20,7 +20,14 @@ from hfield.core.product import Constants
 from hfield.errors import TooLargeError
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import Scalars
-from hfield.prover.polynomials.normal_form import TRUE, Formula, PolynomialClause, clauses, literal
+from hfield.prover.polynomials.normal_form import (
+    FALSE,
+    TRUE,
+    Formula,
+    PolynomialClause,
+    clauses,
+    literal,
+)
 from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import Sort
 
@@ -80,7 +87,7 @@ def expand(problem: Problem) -> Expanded:
     return Expanded(world.context, world.variables, world.unknowns, clauses(whole), conditions)
 
 
-class Symbolic(Evaluator):
+class Symbolic(Evaluator[Term, Conditions, Formula]):
     """Evaluates the statement of a problem to formulas about polynomials in its unknowns.
 
     The first ``unknowns`` of the ``variables`` are coordinates of unknowns, the others constants of the
@@ -131,10 +138,12 @@ class PolynomialScalars(Scalars[Term, Conditions, Formula]):
     """Scalars are integer polynomials, statements are formulas about their zeros."""
 
     always = ()
+    true, false = TRUE, FALSE
     reflexive = True  # that a thing is itself needs no expanding
 
     def __init__(self, context: flint.fmpz_mpoly_ctx) -> None:
         self.context, self.budget = context, ExpansionBudget()
+        self.never = (context.constant(0),)
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
     def lift(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
