@@ -19,7 +19,7 @@ from rotation.namespaces import expect_last, floats, namespace, number, quiet, r
 from rotation.optimum import is_differentiable, without_derivatives
 from rotation.rowwise import RowFormula, flag_if, rarely
 
-HAMILTON: formula.Constants[Array | float] = formula.Constants(
+HAMILTON: formula.Constants[float] = formula.Constants(
     -1.0, 0, -1.0
 )  # whole zeros leave no trace in compiled programs
 

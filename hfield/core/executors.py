@@ -20,9 +20,12 @@ from concurrent.futures import (
 )
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from hfield.errors import HFieldError
+
+if TYPE_CHECKING:
+    from multiprocessing.process import BaseProcess
 
 P = ParamSpec("P")
 A = TypeVar("A")
@@ -177,7 +180,7 @@ def _as_a_worker() -> None:
         Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 
-def _end_with(parent: Any) -> None:
+def _end_with(parent: BaseProcess) -> None:
     """End this process when its parent ends, even by SIGKILL."""
     parent.join()
     os._exit(1)

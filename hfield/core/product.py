@@ -9,21 +9,19 @@ thesis (section 1), which nobody has to type in; ``t = 1`` gives the Artin–Sch
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, Self
-
-Coordinates = tuple[Any, Any, Any, Any]
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, Self, TypeAlias, overload
 
 
 class SupportsArithmetic(Protocol):
     """The protocol of coordinates: ``+``, ``−`` and ``×``."""
 
-    def __add__(self, other: Any, /) -> Self:
+    def __add__(self, other: Self, /) -> Self:
         """Return self + other."""
 
-    def __sub__(self, other: Any, /) -> Self:
+    def __sub__(self, other: Self, /) -> Self:
         """Return self − other."""
 
-    def __mul__(self, other: Any, /) -> Self:
+    def __mul__(self, other: Self, /) -> Self:
         """Return self·other."""
 
     def __neg__(self) -> Self:
@@ -31,15 +29,24 @@ class SupportsArithmetic(Protocol):
 
 
 class Scalar(SupportsArithmetic, Protocol):
-    """An element of a ring, which also takes numbers and the like as left operands."""
+    """An element of a ring, which also takes ints."""
 
-    def __radd__(self, other: Any, /) -> Self:
+    def __add__(self, other: Self | int, /) -> Self:
+        """Return self + other."""
+
+    def __sub__(self, other: Self | int, /) -> Self:
+        """Return self − other."""
+
+    def __mul__(self, other: Self | int, /) -> Self:
+        """Return self·other."""
+
+    def __radd__(self, other: Self | int, /) -> Self:
         """Return other + self."""
 
-    def __rsub__(self, other: Any, /) -> Self:
+    def __rsub__(self, other: Self | int, /) -> Self:
         """Return other − self."""
 
-    def __rmul__(self, other: Any, /) -> Self:
+    def __rmul__(self, other: Self | int, /) -> Self:
         """Return other·self."""
 
 
@@ -53,6 +60,9 @@ else:
 
     S, C = TypeVar("S"), TypeVar("C")
 
+Coordinates: TypeAlias = tuple[C, C, C, C]
+"""The coordinates of an element over (e, i, j, k)."""
+
 
 class Constants(NamedTuple, Generic[C]):
     """The structure constants ``(a, t, b)``, in the order in which ``i² = a + t·i, j² = b`` has them."""
@@ -62,7 +72,11 @@ class Constants(NamedTuple, Generic[C]):
     b: C
 
 
-def multiply(c: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
+@overload
+def multiply(c: Constants[S], p: Coordinates[S], q: Coordinates[S]) -> Coordinates[S]: ...
+@overload  # coordinates of another type than the constants, such as arrays and floats
+def multiply(c: Constants, p: Coordinates, q: Coordinates) -> Coordinates: ...
+def multiply(c: Constants[S], p: Coordinates[S], q: Coordinates[S]) -> Coordinates[S]:
     """Return the coordinates of ``p·q`` over ``(e, i, j, k)``."""
     a, t, b = c
     w1, x1, y1, z1 = p
@@ -75,20 +89,22 @@ def multiply(c: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
     )
 
 
-def conjugate(c: Constants, q: Coordinates) -> Coordinates:
+def conjugate(c: Constants, q: Coordinates[S]) -> Coordinates[S]:
     """Return the standard involution of ``q``; for ``t = 0`` the thesis's conjugate (Definition 3)."""
     w, x, y, z = q
     return (w + c.t * x, -x, -y, -z)
 
 
-def norm(c: Constants[S], q: tuple[S, S, S, S]) -> S:
+def norm(c: Constants, q: Coordinates[S]) -> S:
     """Return the reduced norm ``N(q)``, the scalar with ``q·conj(q) = N(q)·e`` (Definition 2)."""
     a, t, b = c
     w, x, y, z = q
-    return w * w + t * (w * x) - a * (x * x) - b * (y * y + t * (y * z) - a * (z * z))
+    value: S = w * w + t * (w * x) - a * (x * x) - b * (y * y + t * (y * z) - a * (z * z))
+    return value
 
 
-def trace(c: Constants[S], q: tuple[S, S, S, S]) -> S:
+def trace(c: Constants, q: Coordinates[S]) -> S:
     """Return the reduced trace, the scalar with ``q + conj(q) = tr(q)·e``."""
     w, x, _, _ = q
-    return w + w + c.t * x
+    value: S = w + w + c.t * x
+    return value

@@ -34,10 +34,10 @@ class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands 
     """
 
     @overload
-    def __get__(self, instance: None, parent: type[Any] | None = None) -> cached_property[T]: ...
+    def __get__(self, instance: None, parent: type[object] | None = None) -> cached_property[T]: ...
     @overload
-    def __get__(self, instance: object, parent: type[Any] | None = None) -> T: ...
-    def __get__(self, instance: Any, parent: type[Any] | None = None) -> Any:
+    def __get__(self, instance: object, parent: type[object] | None = None) -> T: ...
+    def __get__(self, instance: Any, parent: type[object] | None = None) -> cached_property[T] | T:
         if instance is None:
             return self
         name = self.attrname

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, TypeVar, overload
+
+from hfield.core.product import Scalar
 
 if TYPE_CHECKING:
     import numpy as np
+
+V = TypeVar("V", bound=Scalar)
 
 MAX_ENTRY = 2**32 - 1
 
@@ -77,8 +81,8 @@ class SparseRows(Sequence[dict[int, int]]):
         starts, columns, entries = (np.array(x, dtype=np.int64) for x in found)
         return starts, columns, entries
 
-    def times(self, values: Sequence[Any]) -> list[Any]:
-        """Return the matrix times a column of values, of any type that integers multiply."""
+    def times(self, values: Sequence[V]) -> list[V | int]:
+        """Return the matrix times a column of values; an empty row gives the int 0."""
         columns, entries, ends = self._columns, self._entries, self._starts
         return [
             sum(values[columns[k]] * entries[k] for k in range(ends[n], ends[n + 1]))

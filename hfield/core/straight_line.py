@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from hfield.core import product
-from hfield.core.product import Constants, Scalar, SupportsArithmetic
+from hfield.core.product import Constants, Coordinates, SupportsArithmetic
 from hfield.syntax.brackets import outside
 
 S = TypeVar("S", bound=SupportsArithmetic)
@@ -169,7 +169,7 @@ class _Extended:
         return parts
 
 
-def _adjoint(c: Constants, q: product.Coordinates) -> tuple[Scalar, ...]:
+def _adjoint(c: Constants[S], q: Coordinates[S]) -> tuple[S, ...]:
     """Return the conjugate and the norm: the inverse but for the one division."""
     return (*product.conjugate(c, q), product.norm(c, q))
 
@@ -239,7 +239,7 @@ def _sides(formula: str) -> list[tuple[str, ...]]:
     return [FIRST, SECOND] if formula in BINARY else [FIRST]
 
 
-def _outputs(formula: str, c: Constants, operands: list[Any]) -> tuple[Any, ...]:
+def _outputs(formula: str, c: Constants[S], operands: Sequence[Sequence[S]]) -> tuple[S, ...]:
     made = FORMULAS[formula](c, *operands)
     return made if isinstance(made, tuple) else (made,)
 

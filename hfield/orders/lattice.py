@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Self, TypeVar, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import Factors
+from hfield.core.product import Scalar
 from hfield.core.properties import cached_property
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
@@ -90,7 +91,7 @@ if TYPE_CHECKING:
     from hfield.orders.pseudo_bases import PseudoBasis
     from hfield.orders.rational_newforms import RationalNewform
 
-ValueT = TypeVar("ValueT")
+ValueT = TypeVar("ValueT", bound=Scalar)
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
@@ -1668,7 +1669,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         assert isinstance(functions, WeightedFunctions)
         return functions.hecke_polynomial(ideal)
 
-    def hecke_operator(self, norm: object, values: Sequence[ValueT]) -> list[ValueT]:
+    def hecke_operator(self, norm: object, values: Sequence[ValueT]) -> list[ValueT | int]:
         """Return the Brandt matrix of a norm times a function on the classes, given by its values.
 
         Raises :class:`LatticeError` unless there is a value for each class.

@@ -2,14 +2,22 @@
 
 from fractions import Fraction
 from math import isqrt
-from typing import TypeVar
+from typing import Protocol, Self, TypeVar
 
 import flint
 
 from hfield.core.primality import is_probable_prime
 from hfield.core.product import Scalar
 
-S = TypeVar("S", bound=Scalar)
+
+class RationalMultiples(Scalar, Protocol):
+    """An element of a field that contains ℚ."""
+
+    def __mul__(self, other: Self | int | Fraction, /) -> Self:
+        """Return self·other."""
+
+
+S = TypeVar("S", bound=RationalMultiples)
 
 MAX_SEARCHED_SQUARES = 10**6  # below this, two squares are searched one by one
 

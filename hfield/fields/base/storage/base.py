@@ -213,7 +213,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
         return self.encode((w, x, y, z))
 
-    def to_array(self, p: H) -> object:
+    def to_array(self, p: H) -> np.ndarray:
         """Return the elements as one array of numbers. Raises :class:`CoercionError` where there is none."""
         raise CoercionError(self._no_integers())
 
