@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import CoercionError, shorten
-
-if TYPE_CHECKING:
-    import flint
+from hfield.fields.base.ring import E
 
 
-def conj(q: Quaternion) -> Quaternion:
+def conj(q: Quaternion[E]) -> Quaternion[E]:
     """Return the standard involution of q (thesis, Definition 3), its method ``conjugate``.
 
     >>> from hfield import H, QQ
@@ -23,7 +19,7 @@ def conj(q: Quaternion) -> Quaternion:
     return _quaternion("conj", q).conjugate()
 
 
-def inv(q: Quaternion) -> Quaternion:
+def inv(q: Quaternion[E]) -> Quaternion[E]:
     """Return the inverse of q, its method ``inverse``.
 
     >>> from hfield import H, QQ
@@ -35,7 +31,7 @@ def inv(q: Quaternion) -> Quaternion:
     return _quaternion("inv", q).inverse()
 
 
-def norm(q: Quaternion) -> flint.fmpq:
+def norm(q: Quaternion[E]) -> E:
     """Return the reduced norm of q (thesis, Definition 2), an element of the base ring.
 
     >>> from hfield import H, QQ
@@ -47,7 +43,7 @@ def norm(q: Quaternion) -> flint.fmpq:
     return _quaternion("norm", q).norm()
 
 
-def trace(q: Quaternion) -> flint.fmpq:
+def trace(q: Quaternion[E]) -> E:
     """Return the reduced trace of q, an element of the base ring.
 
     >>> from hfield import H, QQ
@@ -59,7 +55,7 @@ def trace(q: Quaternion) -> flint.fmpq:
     return _quaternion("trace", q).trace()
 
 
-def conjugator(p: Quaternion, q: object) -> Quaternion | None:
+def conjugator(p: Quaternion[E], q: object) -> Quaternion[E] | None:
     """Return a unit x with ``x·p·x⁻¹ = q``, or None; ``p.conjugacy(q)`` gives the reason.
 
     >>> from hfield import H
@@ -73,7 +69,7 @@ def conjugator(p: Quaternion, q: object) -> Quaternion | None:
     return _quaternion("conjugator", p).conjugator(q)
 
 
-def _quaternion(function: str, q: object) -> Quaternion:
+def _quaternion(function: str, q: Quaternion[E]) -> Quaternion[E]:
     if isinstance(q, Quaternion):
         return q
     shown = shorten(repr(q))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hfield.algebra.embedding import embedding
 from hfield.core.product import Constants, Scalar
@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.fields.base.ring import Ring
+
+Substitution: TypeAlias = "Mapping[str, object] | Mapping[sympy.Symbol, object]"
+"""Values for variables, by their names or symbols."""
 
 
 def to_sympy(x: Any, symbols: Iterable[sympy.Symbol] = ()) -> Any:
@@ -120,9 +123,7 @@ def variable_name(x: Any) -> str:
     return name
 
 
-def values_given(
-    values: Mapping[Any, object] | None, named: Mapping[str, object]
-) -> dict[str, object]:
+def values_given(values: Substitution | None, named: Mapping[str, object]) -> dict[str, object]:
     """Return the values of variables by their names. Raises :class:`CoercionError` for unclear ones."""
     if values is not None and not isinstance(values, Mapping):
         raise CoercionError(

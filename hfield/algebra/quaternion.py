@@ -5,7 +5,18 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Generic,
+    NamedTuple,
+    NoReturn,
+    Protocol,
+    TypeAlias,
+    TypeGuard,
+    TypeVar,
+    overload,
+)
 
 from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
@@ -21,11 +32,11 @@ from hfield.errors import (
 )
 from hfield.fields.base.coefficients import Coefficients
 from hfield.fields.base.coercion import rational
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
-from hfield.symbols import element_to_sympy, values_given, variable_name
+from hfield.symbols import Substitution, element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax.other_systems import OtherSystemWriter
 from hfield.verdicts import Verdict
@@ -38,9 +49,13 @@ if TYPE_CHECKING:
     from hfield.algebra.structure.elements.square_roots import RootCoordinates as Found
     from hfield.fields.base.arrays import Index
     from hfield.orders.lattice import Order
+    from hfield.polynomials.polynomial import Polynomials
 
+L = TypeVar("L", bound=Scalar)  # an element of another ring
+Number: TypeAlias = int | float | Fraction | str
+"""What every ring reads as one scalar, besides its own elements."""
 
-_blank: Any = object.__new__
+_blank: Callable[[type[Quaternion]], Quaternion] = object.__new__
 # The methods that numpy's functions call, and those of operators whose left operand is an array of numpy.
 _UFUNCS = {
     "absolute": "__abs__", "exp": "exp", "log": "log", "sqrt": "sqrt", "conjugate": "conjugate",
@@ -52,44 +67,57 @@ _REFLECTED = {
 }  # fmt: skip
 
 
-class Parent(Protocol):
+class Parent(Protocol[E]):
     """The interface of :class:`hfield.algebra.QuaternionAlgebra` that its elements use."""
 
-    ring: Ring
-    constants: Constants
+    ring: Ring[E]
+    constants: Constants[E]
 
     @property
     def storage(self) -> Storage: ...  # noqa: D102
     @property
     def array_storage(self) -> BatchStorage: ...  # noqa: D102
     @property
-    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
-    def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
+    def basis(self) -> Coordinates[Quaternion[E]]: ...  # noqa: D102
+    @overload
+    def __call__(self, x: E | Number | Quaternion[E], /) -> Quaternion[E]: ...
+    @overload
+    def __call__(
+        self, w: E | Number, x: E | Number, y: E | Number, z: E | Number, /
+    ) -> Quaternion[E]: ...
+    @overload
+    def __call__(self, *coordinates: object) -> Quaternion: ...
     def __hash__(self) -> int: ...
     @property
-    def one(self) -> Quaternion: ...  # noqa: D102
+    def one(self) -> Quaternion[E]: ...  # noqa: D102
     @property
-    def zero(self) -> Quaternion: ...  # noqa: D102
-    def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
-    def elements(self) -> Iterator[Quaternion]: ...  # noqa: D102
-    def random_element(self, seed: int | None = ...) -> Quaternion: ...  # noqa: D102
+    def zero(self) -> Quaternion[E]: ...  # noqa: D102
+    @overload
+    def scalar(self, x: E | Number | Quaternion[E]) -> Quaternion[E]: ...
+    @overload
+    def scalar(self, x: object) -> Quaternion: ...
+    def elements(self) -> Iterator[Quaternion[E]]: ...  # noqa: D102
+    def random_element(self, seed: int | None = ...) -> Quaternion[E]: ...  # noqa: D102
     def from_array(self, values: object, axis: int = ...) -> Quaternion: ...  # noqa: D102
-    def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    @overload
+    def change_ring(self, ring: Ring[L]) -> Parent[L]: ...
+    @overload
+    def change_ring(self, ring: str) -> Parent: ...
     def _common(self, other: Parent) -> Parent | None: ...
     def _include(self, q: Quaternion) -> Quaternion: ...
     def _substituted(
         self, values: Mapping[str, object]
-    ) -> tuple[Parent, Callable[[Scalar], Any]]: ...
-    def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
+    ) -> tuple[Parent, Callable[[E], Scalar]]: ...
+    def count(self, kind: str = ..., *, norm: object = ..., square: object = ...) -> int: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
     def is_central_simple(self) -> bool: ...  # noqa: D102
     def isomorphism(self, other: Parent) -> Isomorphism | None: ...  # noqa: D102
     def order_from_basis(self, elements: Iterable[object]) -> Order: ...  # noqa: D102
-    def polynomials(self, name: str = ...) -> Any: ...  # noqa: D102
-    def to_matrix(self, q: Quaternion) -> Any: ...  # noqa: D102
+    def polynomials(self, name: str = ...) -> Polynomials: ...  # noqa: D102
+    def to_matrix(self, q: Quaternion) -> tuple[tuple[E, E], tuple[E, E]]: ...  # noqa: D102
 
 
-class Quaternion(Hinted, PrintedBySympy):
+class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -109,21 +137,23 @@ class Quaternion(Hinted, PrintedBySympy):
     foreign_names = ELEMENT
     _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
 
-    _algebra: Parent
-    _how: Storage
-    _stored: Any
+    _algebra: Parent[E]
+    _how: Storage[object, E]
+    _stored: object
 
-    def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
+    def __init__(self, algebra: Parent[E], coordinates: Coordinates[E]) -> None:
         self._algebra = algebra
         self._how = algebra.storage
         if is_array(coordinates[0]):
-            self._how = algebra.array_storage
-            w, x, y, z = (c.copy() for c in coordinates)
+            how: Storage = algebra.array_storage  # whose norms are arrays
+            self._how = how
+            arrays: Coordinates = coordinates
+            w, x, y, z = (c.copy() for c in arrays)
             coordinates = w, x, y, z
         self._stored = self._how.encode(coordinates)
 
     @property
-    def algebra(self) -> Parent:
+    def algebra(self) -> Parent[E]:
         """The algebra of which it is an element."""
         return self._algebra
 
@@ -136,7 +166,7 @@ class Quaternion(Hinted, PrintedBySympy):
         _refuse_change()
 
     @property
-    def coordinates(self) -> Coordinates:
+    def coordinates(self) -> Coordinates[E]:
         """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or read-only arrays."""
         how = self._how
         return (
@@ -156,7 +186,7 @@ class Quaternion(Hinted, PrintedBySympy):
     # --- shape ---------------------------------------------------------------------------------
 
     @property
-    def ring(self) -> Ring:
+    def ring(self) -> Ring[E]:
         """The base ring."""
         return self._algebra.ring
 
@@ -165,19 +195,19 @@ class Quaternion(Hinted, PrintedBySympy):
         """Whether this is an array of quaternions."""
         return self._how.is_batch
 
-    def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Quaternion:
+    def _new(self, w: E, x: E, y: E, z: E) -> Quaternion[E]:
         return Quaternion(self._algebra, (w, x, y, z))
 
-    def _computed(self, coordinates: Coordinates) -> Quaternion:
+    def _computed(self, coordinates: Coordinates) -> Quaternion[E]:
         """Return the element with coordinates that were computed for it, of which no copy is needed."""
         how = self._how
         return from_stored(self._algebra, how, how.encode(coordinates))
 
-    def _alike(self, stored: Any) -> Quaternion:
+    def _alike(self, stored: object) -> Quaternion[E]:
         """Return an element with another stored value in the same storage."""
         return from_stored(self._algebra, self._how, stored)
 
-    def _operand(self, other: object, operation: str) -> Quaternion:
+    def _operand(self, other: object, operation: str) -> Quaternion[E]:
         """Convert the other operand to this algebra."""
         if isinstance(other, str):
             raise CoercionError(
@@ -195,7 +225,9 @@ class Quaternion(Hinted, PrintedBySympy):
             )
         return q
 
-    def _join(self, other: object, operation: str) -> tuple[Parent, Storage, Any, Any]:
+    def _join(
+        self, other: object, operation: str
+    ) -> tuple[Parent[E], Storage[object, E], object, object]:
         """Convert both operands to one algebra and one storage, single or array."""
         p, q = self, self._operand(other, operation)
         if p._algebra is not q._algebra and p._algebra != q._algebra:
@@ -206,16 +238,21 @@ class Quaternion(Hinted, PrintedBySympy):
         if p._how.is_batch == q._how.is_batch:
             return A, p._how, p._stored, q._stored
         batch = A.array_storage
+        how: Storage = batch  # whose norms are arrays
         left, right = (x._stored if x.is_batch else batch.lift(x.coordinates) for x in (p, q))
-        return A, batch, left, right
+        return A, how, left, right
 
     # --- arithmetic ----------------------------------------------------------------------------
     # Two elements of one storage, the usual case, skip every check and every call.
 
+    @overload
+    def __add__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __add__(self, other: object) -> Quaternion: ...
     def __add__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
-            result: Quaternion = _blank(Quaternion)
+            result: Quaternion[E] = _blank(Quaternion)
             result._algebra = self._algebra
             result._how = how
             add = how.sum
@@ -228,6 +265,10 @@ class Quaternion(Hinted, PrintedBySympy):
 
     __radd__ = __add__
 
+    @overload
+    def __sub__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __sub__(self, other: object) -> Quaternion: ...
     def __sub__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
@@ -237,21 +278,29 @@ class Quaternion(Hinted, PrintedBySympy):
         A, how, p, q = self._join(other, "subtract")
         return from_stored(A, how, how.difference(p, q))
 
+    @overload
+    def __rsub__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __rsub__(self, other: object) -> Quaternion: ...
     def __rsub__(self, other: object) -> Quaternion:
         A, how, p, q = self._join(other, "subtract")
         return from_stored(A, how, how.difference(q, p))
 
-    def __neg__(self) -> Quaternion:
+    def __neg__(self) -> Quaternion[E]:
         how = self._how
         return from_stored(self._algebra, how, how.negative(self._stored))
 
-    def __pos__(self) -> Quaternion:
+    def __pos__(self) -> Quaternion[E]:
         return self
 
+    @overload
+    def __mul__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __mul__(self, other: object) -> Quaternion: ...
     def __mul__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
-            result: Quaternion = _blank(Quaternion)
+            result: Quaternion[E] = _blank(Quaternion)
             result._algebra = self._algebra
             result._how = how
             multiply = how.product
@@ -266,6 +315,10 @@ class Quaternion(Hinted, PrintedBySympy):
         A, how, p, q = self._join(other, "multiply")
         return from_stored(A, how, how.product(p, q))
 
+    @overload
+    def __rmul__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __rmul__(self, other: object) -> Quaternion: ...
     def __rmul__(self, other: object) -> Quaternion:
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
@@ -275,6 +328,10 @@ class Quaternion(Hinted, PrintedBySympy):
         A, how, p, q = self._join(other, "multiply")
         return from_stored(A, how, how.product(q, p))
 
+    @overload
+    def __truediv__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __truediv__(self, other: object) -> Quaternion: ...
     def __truediv__(self, other: object) -> Quaternion:
         """Return ``self · other⁻¹``."""
         how = self._how
@@ -284,10 +341,14 @@ class Quaternion(Hinted, PrintedBySympy):
                 return from_stored(self._algebra, how, stored)
         return self * self._operand(other, "divide").inverse()
 
+    @overload
+    def __rtruediv__(self, other: Quaternion[E] | E | Number) -> Quaternion[E]: ...
+    @overload
+    def __rtruediv__(self, other: object) -> Quaternion: ...
     def __rtruediv__(self, other: object) -> Quaternion:
         return self._operand(other, "divide") * self.inverse()
 
-    def __pow__(self, n: float | Fraction) -> Quaternion:
+    def __pow__(self, n: float | Fraction) -> Quaternion[E]:
         if isinstance(n, (float, Fraction)):
             return self._real_power(n)
         if not isinstance(n, int):
@@ -298,7 +359,7 @@ class Quaternion(Hinted, PrintedBySympy):
         base = self if n >= 0 else self.inverse()
         return self._alike(self._how.power(base._stored, abs(n)))
 
-    def _real_power(self, n: float | Fraction) -> Quaternion:
+    def _real_power(self, n: float | Fraction) -> Quaternion[E]:
         """Return the principal power: of any exponent over RDF, of rational ones over functions of angles.
 
         Over other exact rings the exponent is a multiple of 1/2.
@@ -352,7 +413,9 @@ class Quaternion(Hinted, PrintedBySympy):
 
     # --- what the algebra knows of it ----------------------------------------------------------
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+    def __array_ufunc__(
+        self, ufunc: np.ufunc, method: str, *inputs: object, **options: object
+    ) -> Any:
         """Support numpy's ``abs``, ``exp``, ``log``, ``sqrt``, and ``array * q`` as a product of
         quaternions.
 
@@ -365,23 +428,23 @@ class Quaternion(Hinted, PrintedBySympy):
                 return getattr(self, _REFLECTED[ufunc.__name__])(inputs[0])
         return NotImplemented
 
-    def conjugate(self) -> Quaternion:
+    def conjugate(self) -> Quaternion[E]:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
         how = self._how
         return from_stored(self._algebra, how, how.conjugate(self._stored))
 
     conj = conjugate  # as the language calls it
 
-    def norm(self) -> Any:
+    def norm(self) -> E:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
         norm = self._how.norm
         return norm(self._stored)
 
-    def trace(self) -> Any:
+    def trace(self) -> E:
         """Return the reduced trace, an element (or array) of the base ring."""
         return self._how.trace(self._stored)
 
-    def inverse(self) -> Quaternion:
+    def inverse(self) -> Quaternion[E]:
         """Return ``q⁻¹ = conj(q)/N(q)`` (Definition 4).
 
         Raises :class:`NotInvertibleError`, a ZeroDivisionError, where the norm is not a unit; the
@@ -399,11 +462,11 @@ class Quaternion(Hinted, PrintedBySympy):
 
     inv = inverse
 
-    def is_zero(self) -> Any:
+    def is_zero(self) -> Any:  # a bool, or an array of these
         """Return whether the quaternion is 0; of an array, which entries are, as a bool array."""
         return self._how.is_zero(self._stored)
 
-    def _single(self) -> tuple[Ring, Constants, Coordinates]:
+    def _single(self) -> tuple[Ring[E], Constants[E], Coordinates[E]]:
         """Return the arguments that functions of ``structure`` take."""
         if self.is_batch:
             raise CoercionError(
@@ -414,23 +477,23 @@ class Quaternion(Hinted, PrintedBySympy):
     # --- parts ---------------------------------------------------------------------------------
 
     @property
-    def scalar_part(self) -> Any:
+    def scalar_part(self) -> E:
         """The coordinate of e, in the base ring (thesis 1.4.2)."""
         return self.coordinates[0]
 
     @property
-    def vector_part(self) -> Quaternion:
+    def vector_part(self) -> Quaternion[E]:
         """The element without its scalar part, ``x·i + y·j + z·k`` (thesis 1.4.2)."""
         w, x, y, z = self.coordinates
         return self._new(w - w, x, y, z)
 
     @property
-    def vector(self) -> tuple[Any, Any, Any]:
+    def vector(self) -> tuple[E, E, E]:
         """The coordinates of i, j, k: three elements (or arrays) of the base ring."""
         _, x, y, z = self.coordinates
         return x, y, z
 
-    def dot(self, other: object) -> Any:
+    def dot(self, other: object) -> E:
         """Return the scalar product of the vector parts, the negative of the scalar part of their product.
 
         In Hamilton's algebra it is ``x₁x₂ + y₁y₂ + z₁z₂`` (thesis 1.4.2).
@@ -441,15 +504,16 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> p.dot(q), p.cross(q), p * q == p.cross(q) - p.dot(q)
         (32, -3*i + 6*j - 3*k, True)
         """
-        return -(self.vector_part * self._operand(other, "multiply").vector_part).scalar_part
+        product: Quaternion[E] = self.vector_part * self._operand(other, "multiply").vector_part
+        return -product.scalar_part
 
-    def cross(self, other: object) -> Quaternion:
+    def cross(self, other: object) -> Quaternion[E]:
         """Return the vector product of the vector parts, the vector part of their product (thesis 1.4.2)."""
         return (self.vector_part * self._operand(other, "multiply").vector_part).vector_part
 
     def matrix(
         self, side: str = "left", over: Ring | str | None = None
-    ) -> tuple[tuple[Any, ...], ...]:
+    ) -> tuple[tuple[E, ...], ...]:
         """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n).
 
         With ``side="right"`` it is that of ``p ↦ p·q``. With ``over``, a field that contains the base ring
@@ -462,14 +526,13 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         if over is not None:
             q = self.change_ring(over)
-            found: tuple[tuple[Any, ...], ...] = q.algebra.to_matrix(q)
-            return found
+            return q.algebra.to_matrix(q)
         if side not in ("left", "right"):
             raise CoercionError(f"side={side!r}: expected 'left' or 'right'")
         images = (self * b if side == "left" else b * self for b in self.algebra.basis)
         return tuple(zip(*(image.coordinates for image in images), strict=True))
 
-    def rotation_matrix(self) -> tuple[tuple[Any, ...], ...]:
+    def rotation_matrix(self) -> tuple[tuple[E, ...], ...]:
         """Return the 3 × 3 matrix of ``v ↦ q·v·q⁻¹`` on i, j, k, for i² = a and j² = b: columns are images.
 
         It is exact. M satisfies MᵀGM = G for the diagonal matrix G of −a, −b, ab, and det M = 1. Raises
@@ -490,7 +553,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
     # --- variables -----------------------------------------------------------------------------
 
-    def subs(self, values: Mapping[Any, object] | None = None, /, **named: object) -> Quaternion:
+    def subs(self, values: Substitution | None = None, /, **named: object) -> Quaternion:
         """Return q with values substituted for variables, simultaneously, also in the structure constants.
 
         Variables are symbols of sympy or names; values whatever the ring reads. If every variable has a value
@@ -506,7 +569,7 @@ class Quaternion(Hinted, PrintedBySympy):
         algebra, value = self.algebra._substituted(values_given(values, named))
         return self._mapped(algebra, value)
 
-    def diff(self, variable: object) -> Quaternion:
+    def diff(self, variable: object) -> Quaternion[E]:
         """Return the derivative of the coordinates by a variable, a symbol of sympy or a name.
 
         Raises :class:`CoercionError` for what is no variable of the ring, and where a structure constant
@@ -534,17 +597,19 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         import sympy
 
-        ring, coordinates = self.ring, self.coordinates
+        ring = self.ring
+        coordinates: Coordinates = self.coordinates
         scalars = (x for c in coordinates for x in c.ravel()) if self.is_batch else coordinates
         names = {name for x in scalars for name in ring.variables_in(ring.scalar(x))}
         return set(map(sympy.Symbol, names))
 
-    def _mapped(self, algebra: Parent, change: Callable[[Scalar], Any]) -> Quaternion:
+    def _mapped(self, algebra: Parent, change: Callable[[E], Scalar]) -> Quaternion:
         """Return the element of an algebra with the mapped coordinates of this one."""
         if not self.is_batch:
             return algebra(*map(change, self.coordinates))
         scalar = self.ring.scalar
-        rows = ([change(scalar(x)) for x in c.ravel()] for c in self.coordinates)
+        arrays: Coordinates = self.coordinates
+        rows = ([change(scalar(x)) for x in c.ravel()] for c in arrays)
         return algebra(*rows).reshape(self.shape)
 
     def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
@@ -558,6 +623,10 @@ class Quaternion(Hinted, PrintedBySympy):
     def _sympy_(self) -> Any:
         return self._in_sympy({})
 
+    @overload
+    def change_ring(self, ring: Ring[L]) -> Quaternion[L]: ...
+    @overload
+    def change_ring(self, ring: str) -> Quaternion: ...
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
         A = self.algebra.change_ring(ring)
@@ -567,7 +636,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
     # --- modulus, exponential, roots -----------------------------------------------------------
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> E:
         """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); of an array elementwise.
 
         Over functions of angles it is the root that is positive where all angles are small and positive.
@@ -576,14 +645,15 @@ class Quaternion(Hinted, PrintedBySympy):
         rings without an ordering.
         """
         if self.is_batch and self.ring.is_exact:
-            return self.ring.array([abs(q) for q in self.reshape(-1)]).reshape(self.shape)
+            moduli: E = self.ring.array([abs(q) for q in self.reshape(-1)]).reshape(self.shape)
+            return moduli
         return analysis.modulus(self.ring, self.algebra.constants, self.coordinates)
 
-    def unit(self) -> Quaternion:
+    def unit(self) -> Quaternion[E]:
         """Return ``q/|q|``. Raises :class:`NotInvertibleError` where the norm is 0."""
         return self.__truediv__(abs(self))
 
-    def polar(self) -> Polar:
+    def polar(self) -> Polar[E]:
         """Return the modulus r, the axis n and the angle θ with ``q = r·(cos θ + n·sin θ)``, ``n² = −1``.
 
         The angle is in [0, π], in radians; :meth:`QuaternionAlgebra.from_polar` is the inverse. It is
@@ -601,7 +671,7 @@ class Quaternion(Hinted, PrintedBySympy):
         r, n, theta = analysis.polar(self.ring, self.algebra.constants, self.coordinates)
         return Polar(r, self._computed(n), theta)
 
-    def exp(self) -> Quaternion:
+    def exp(self) -> Quaternion[E]:
         """Return the sum of ``qⁿ/n!``: over RDF, of arrays too, and exactly over RR.
 
         Over functions of angles t it is that of products n·t, of an axis with ``ring.angle("t")``. Raises
@@ -613,7 +683,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         return self._computed(analysis.exp(self.ring, self.algebra.constants, self.coordinates))
 
-    def log(self) -> Any:
+    def log(self) -> Any:  # a Quaternion, over functions of angles an AxisAngle
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
         Over functions of angles, of a q of modulus 1, it is the product n·θ of axis and angle of
@@ -634,7 +704,7 @@ class Quaternion(Hinted, PrintedBySympy):
             return n * angle
         return self._computed(analysis.log(self.ring, self.algebra.constants, self.coordinates))
 
-    def sqrt(self) -> Quaternion:
+    def sqrt(self) -> Quaternion[E]:
         """Return the square root of positive trace, or 0 for 0; :meth:`square_roots` has all.
 
         Raises :class:`NoSolutionError` where there is none.
@@ -647,7 +717,7 @@ class Quaternion(Hinted, PrintedBySympy):
             raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
         return self._computed(analysis.sqrt(self.ring, self.algebra.constants, self.coordinates))
 
-    def roots(self, n: int) -> Any:
+    def roots(self, n: int) -> Any:  # Roots, of an array a Quaternion
         """Return all x with ``xⁿ = q``, as the :class:`Roots` of a polynomial.
 
         Of an array over RDF: an array of shape ``(n, *shape)`` of the roots on each entry's own axis. Raises
@@ -665,7 +735,8 @@ class Quaternion(Hinted, PrintedBySympy):
             raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
         import numpy as np
 
-        r, axis, angle = self.polar()
+        polar: Polar = self.polar()  # arrays
+        r, axis, angle = polar
         turned = (angle + 2 * np.pi * np.arange(n).reshape(-1, *[1] * len(self.shape))) / n
         length = r ** (1 / n)
         return axis * (length * np.sin(turned)) + length * np.cos(turned)
@@ -681,7 +752,7 @@ class Quaternion(Hinted, PrintedBySympy):
         ring, c, q = self._single()
         return ring.annihilator(product.norm(c, q)) is not None
 
-    def annihilator(self) -> Quaternion | None:
+    def annihilator(self) -> Quaternion[E] | None:
         """Return some nonzero y with ``q·y = 0``, or None if q is not a zero divisor.
 
         q is one exactly when its norm is 0 or a zero divisor of the base ring: then ``conj(q)``
@@ -749,7 +820,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return whether ``q² = q``."""
         return structure.is_idempotent(*self._single())
 
-    def square_roots(self) -> SquareRoots:
+    def square_roots(self) -> SquareRoots[E]:
         """Return the x with ``x² = q``, verified by squaring. The base ring must be a field.
 
         Raises :class:`UndecidedError` where square roots of the base ring, or whether an element of
@@ -761,7 +832,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         return SquareRoots(self, structure.square_roots(*self._single()))
 
-    def conjugacy(self, other: object) -> Verdict[Quaternion]:
+    def conjugacy(self, other: object) -> Verdict[Quaternion[E]]:
         """Return whether ``x·q·x⁻¹ = other`` has a solution; ``element`` is one, ``reason`` says why not.
 
         Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
@@ -779,7 +850,7 @@ class Quaternion(Hinted, PrintedBySympy):
         x = None if found.element is None else self.algebra(*found.element)
         return Verdict(found.value, found.reason, x)
 
-    def conjugator(self, other: object) -> Quaternion | None:
+    def conjugator(self, other: object) -> Quaternion[E] | None:
         """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` gives the reason.
 
         In a central simple algebra there is one exactly when both have the same minimal polynomial
@@ -801,18 +872,18 @@ class Quaternion(Hinted, PrintedBySympy):
             )
         return self.shape[0]
 
-    def __getitem__(self, index: Index) -> Quaternion:
+    def __getitem__(self, index: Index) -> Quaternion[E]:
         """Index an array of quaternions as numpy does."""
         how = self._how
         if not isinstance(how, BatchStorage) or not how.shape(self._stored):
             raise CoercionError("a single quaternion cannot be indexed; use q.coordinates[n]")
         return self._one_or_many(how, how.part(self._stored, index))
 
-    def _one_or_many(self, how: BatchStorage, stored: Any) -> Quaternion:
+    def _one_or_many(self, how: BatchStorage, stored: object) -> Quaternion[E]:
         """Return the array with this stored value, or a single element if it has no dimension."""
         return self._alike(stored) if how.shape(stored) else self._new(*how.single(stored))
 
-    def __iter__(self) -> Iterator[Quaternion]:
+    def __iter__(self) -> Iterator[Quaternion[E]]:
         return (self[n] for n in range(len(self)))
 
     def _array(self, what: str) -> BatchStorage:
@@ -824,7 +895,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return a bool array: which entries have an inverse."""
         return self._array("entries").units(self._stored)
 
-    def sum(self, axis: int | None = None) -> Quaternion:
+    def sum(self, axis: int | None = None) -> Quaternion[E]:
         """Return the sum along an axis, or of all entries.
 
         >>> from hfield import H
@@ -834,7 +905,7 @@ class Quaternion(Hinted, PrintedBySympy):
         how = self._array("sum")
         return self._one_or_many(how, how.total(self._stored, axis))
 
-    def product(self, axis: int | None = None) -> Quaternion:
+    def product(self, axis: int | None = None) -> Quaternion[E]:
         """Return the product along an axis, or of all entries, from left to right in their order.
 
         Pairs of neighbours are multiplied until one is left, so an array of n takes log n calls.
@@ -846,7 +917,7 @@ class Quaternion(Hinted, PrintedBySympy):
         how = self._array("product")
         return self._one_or_many(how, how.ordered_product(self._stored, axis))
 
-    def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion:
+    def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion[E]:
         """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
         how = self._array("shape")
         sizes: Any = shape[0] if len(shape) == 1 else shape
@@ -857,7 +928,7 @@ class Quaternion(Hinted, PrintedBySympy):
                 f"an array of quaternions of shape {self.shape} has no shape {shape}: {error}"
             ) from None
 
-    def to_array(self, axis: int = 0) -> Any:
+    def to_array(self, axis: int = 0) -> np.ndarray:
         """Return all coordinates as one numpy array, which ``A.from_array`` takes back.
 
         Its shape is ``(4, *shape)``; with ``axis=-1`` it is ``(*shape, 4)``. Over RDF and CDF the numbers
@@ -878,7 +949,7 @@ class Quaternion(Hinted, PrintedBySympy):
         import numpy as np
 
         check_axis(axis)
-        block: Any = self._array("array form").to_array(self._stored)
+        block = self._array("array form").to_array(self._stored)
         return np.moveaxis(block, 0, axis)
 
     # --- text ----------------------------------------------------------------------------------
@@ -924,9 +995,10 @@ class Quaternion(Hinted, PrintedBySympy):
     def __float__(self) -> float:
         if self.is_batch or not self.vector_part.is_zero():
             raise TypeError(f"{shorten(self)} is not a scalar: float(q) is for multiples of 1")
-        return float(self.scalar_part)
+        scalar: Any = self.scalar_part  # one that has no float raises a TypeError
+        return float(scalar)
 
-    def _latex(self, printer: Any) -> str:
+    def _latex(self, printer: object) -> str:
         if not self.shape:
             return self.text("latex")
         entries = r", \ ".join(q._latex(printer) for q in self)
@@ -942,26 +1014,26 @@ class Quaternion(Hinted, PrintedBySympy):
         try:
             return self.algebra.from_array, (self.to_array(),)
         except CoercionError:
-            coordinates = self.coordinates
+            coordinates: Coordinates = self.coordinates
         if coordinates[0].dtype != object:  # numpy's arrays pickle as they are
             return type(self), (self.algebra, coordinates)
         rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
         return _from_states, (type(self), self.algebra, self.shape, rows)
 
 
-class Polar(NamedTuple):
+class Polar(NamedTuple, Generic[E]):
     """``q = modulus·(cos(angle) + axis·sin(angle))``, ``axis² = −1``, the angle in [0, π] in radians."""
 
-    modulus: Any
-    axis: Quaternion
-    angle: Any
+    modulus: E
+    axis: Quaternion[E]
+    angle: Any  # an element or array as the modulus, over functions of angles a SymbolicAngle
 
 
 class TooManyError(NotFiniteError, OverflowError):
     """The number exceeds ``sys.maxsize``; a TypeError, which ``list`` ignores."""
 
 
-class SquareRoots:
+class SquareRoots(Generic[E]):
     """The square roots of ``element``: ``x in roots`` tests one, iteration lists the known ones.
 
     All are listed when they are finitely many. Over an infinite field a scalar may have a whole
@@ -969,7 +1041,7 @@ class SquareRoots:
     only one and its negative are listed.
     """
 
-    def __init__(self, element: Quaternion, found: Found) -> None:
+    def __init__(self, element: Quaternion[E], found: Found) -> None:
         A = element.algebra
         self.element = element
         self.isolated = tuple(A(*x) for x in found.isolated)
@@ -986,7 +1058,7 @@ class SquareRoots:
     def __contains__(self, x: Scalar) -> bool:
         return bool(x * x == self.element)
 
-    def __iter__(self) -> Iterator[Quaternion]:
+    def __iter__(self) -> Iterator[Quaternion[E]]:
         yield from self.isolated
         if self.quadric is None:
             return
@@ -997,7 +1069,7 @@ class SquareRoots:
             if self.quadric != -self.quadric:
                 yield -self.quadric
 
-    def _quadric(self) -> Iterator[Quaternion]:
+    def _quadric(self) -> Iterator[Quaternion[E]]:
         """Yield the elements of trace 0 and norm −s over a finite field."""
         A = self.element.algebra
         return (A(*x) for x in structure.quadric(A.ring, A.constants, self.element.scalar_part))
@@ -1025,17 +1097,19 @@ class SquareRoots:
         return f"SquareRoots({shown}{more})"
 
 
-def product_plus(p: Quaternion, q: Quaternion, r: Quaternion) -> Quaternion:
+def product_plus(p: Quaternion[E], q: Quaternion[E], r: Quaternion[E]) -> Quaternion[E]:
     """Return ``p * q + r``, over arrays of a finite ring in one loop."""
-    together: Any = getattr(p._how, "product_plus", None)
+    together: Callable[[object, object, object], object] | None = getattr(
+        p._how, "product_plus", None
+    )
     if together is None or not p._how is q._how is r._how:
         return p * q + r
     return from_stored(p._algebra, p._how, together(p._stored, q._stored, r._stored))
 
 
-def from_stored(algebra: Parent, how: Storage, stored: Any) -> Quaternion:
+def from_stored(algebra: Parent[E], how: Storage[object, E], stored: object) -> Quaternion[E]:
     """Return the element whose value in the storage ``how`` of this algebra is ``stored``."""
-    q: Quaternion = _blank(Quaternion)
+    q: Quaternion[E] = _blank(Quaternion)
     q._algebra = algebra
     q._how = how
     q._stored = stored
@@ -1061,12 +1135,12 @@ def _first(flags: np.ndarray) -> tuple[int, ...]:
     return tuple(map(int, np.argwhere(flags)[0]))
 
 
-def is_array(x: object) -> bool:
+def is_array(x: object) -> TypeGuard[np.ndarray]:
     """Return whether a coordinate is an array; a 0-dimensional one counts."""
     return hasattr(x, "dtype") and hasattr(x, "ndim")
 
 
-def is_many(value: Any) -> bool:
+def is_many(value: object) -> TypeGuard[list[object] | tuple[object, ...] | np.ndarray]:
     """Return whether a coordinate is an array."""
     if type(value) is int:
         return False
@@ -1074,7 +1148,10 @@ def is_many(value: Any) -> bool:
 
 
 def _from_states(
-    element: type[Quaternion], algebra: Parent, shape: tuple[int, ...], rows: tuple[list[Any], ...]
+    element: type[Quaternion],
+    algebra: Parent,
+    shape: tuple[int, ...],
+    rows: tuple[list[object], ...],
 ) -> Quaternion:
     """Rebuild an array of quaternions from its pickled state."""
     w, x, y, z = (algebra.ring.array(row).reshape(shape) for row in rows)

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, overload
 
 from hfield import notation, syntax
 from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
-from hfield.algebra.quaternion import Parent, Quaternion, check_axis, from_stored, is_many
+from hfield.algebra.quaternion import (
+    L,
+    Number,
+    Parent,
+    Quaternion,
+    check_axis,
+    from_stored,
+    is_many,
+)
 from hfield.algebra.structure.counting.counted_kinds import counted_kind
 from hfield.algebra.structure.elements import analysis
 from hfield.core.factorisation import Factors, known_primes
-from hfield.core.product import Constants, Scalar
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -28,7 +36,7 @@ from hfield.errors import (
 from hfield.fields import quadratic_forms
 from hfield.fields.adjoining import adjoin_variables
 from hfield.fields.base.from_sympy import check_symbols, is_of_sympy
-from hfield.fields.base.ring import Ring, WithIntegers
+from hfield.fields.base.ring import E, Ring, WithIntegers
 from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.fields.floats import CDF
 from hfield.fields.names import RingName
@@ -42,6 +50,7 @@ from hfield.fields.rationals.ring import QQ
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
 from hfield.symbols import (
+    Substitution,
     as_list,
     coordinates_in,
     is_hamilton,
@@ -53,6 +62,8 @@ from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
@@ -65,6 +76,7 @@ if TYPE_CHECKING:
     from hfield.exploring.unit_groups import FiniteUnitGroup
     from hfield.matrices.equations import LinearSolutions, SystemSolutions
     from hfield.matrices.matrix import Matrix
+    from hfield.orders.foreign_texts import Value
     from hfield.orders.hurwitz_order import HurwitzOrder
     from hfield.orders.lattice import Lattice, Order
     from hfield.orders.ternary_forms import TernaryForm
@@ -72,6 +84,12 @@ if TYPE_CHECKING:
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
+
+
+class ScipyRotation(Protocol):
+    """The method of rotations, ours and scipy's, that gives their unit quaternions."""
+
+    def as_quat(self, *, scalar_first: bool) -> np.ndarray: ...  # noqa: D102
 
 
 class Opposite(NamedTuple):
@@ -84,7 +102,7 @@ class Opposite(NamedTuple):
     isomorphism: Isomorphism
 
 
-class QuaternionAlgebra(Hinted, PrintedBySympy):
+class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
@@ -104,6 +122,19 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     foreign_names = ALGEBRA
 
+    ring: Ring[E]
+    constants: Constants[E]
+
+    @overload
+    def __init__(self, ring: Ring[E], a: object, b: object, t: object = 0) -> None: ...
+    @overload
+    def __init__(
+        self: QuaternionAlgebra[Any],
+        ring: object,
+        a: object = None,
+        b: object = None,
+        t: object = 0,
+    ) -> None: ...
     def __init__(
         self, ring: RingName | object, a: object = None, b: object = None, t: object = 0
     ) -> None:
@@ -155,7 +186,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
-    def storage(self) -> Storage:
+    def storage(self) -> Storage[Any, E]:
         """The storage of single elements, which computes with them."""
         return self.ring.storage(self.constants)
 
@@ -166,10 +197,18 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- elements ------------------------------------------------------------------------------
 
-    def _here(self) -> tuple[Ring, Constants]:
+    def _here(self) -> tuple[Ring[E], Constants[E]]:
         """Return the arguments that functions of ``structure`` take."""
         return self.ring, self.constants
 
+    @overload
+    def __call__(self, x: E | Number | Quaternion[E], /) -> Quaternion[E]: ...
+    @overload
+    def __call__(
+        self, w: E | Number, x: E | Number, y: E | Number, z: E | Number, /
+    ) -> Quaternion[E]: ...
+    @overload
+    def __call__(self, *coordinates: object) -> Quaternion: ...
     def __call__(self, *coordinates: object) -> Quaternion:
         """Make an element from four coordinates, a scalar, a text, a quaternion or a list of four scalars.
 
@@ -207,7 +246,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             f"{len(coordinates)} were given"
         )
 
-    def _of_list(self, x: Any) -> Quaternion:
+    def _of_list(self, x: list[object] | tuple[object, ...] | np.ndarray) -> Quaternion[E]:
         """Make an element from a list or an array of four scalars."""
         if len(x) == 4 and not any(map(is_many, x)):
             return self._element(tuple(x))
@@ -219,7 +258,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             "with an array for each coordinate; an array of scalars is A.scalar(x)"
         )
 
-    def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion:
+    def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion[E]:
         if is_quaternion(x) and not is_hamilton(*self._here()):
             raise CoercionError(
                 f"a quaternion of sympy has i² = j² = −1, and {self} other products: give four coordinates, "
@@ -227,7 +266,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             )
         return self._element(coordinates)
 
-    def _of_rotation(self, x: Any) -> Quaternion:
+    def _of_rotation(self, x: ScipyRotation) -> Quaternion[E]:
         """Return the unit quaternions of a rotation with scipy's method ``as_quat``."""
         if self.ring.is_exact or not is_hamilton(*self._here()):
             raise CoercionError(
@@ -236,14 +275,18 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             )
         return self.from_array(x.as_quat(scalar_first=True), axis=-1)
 
-    def _element(self, values: tuple[object, ...]) -> Quaternion:
+    def _element(self, values: tuple[object, ...]) -> Quaternion[E]:
         if any(map(is_of_sympy, values)):
             values = tuple(map(as_list, values))
         check_symbols(values)
         how: Storage = self.array_storage if any(map(is_many, values)) else self.storage
         return from_stored(self, how, how.read(values))
 
-    def scalar(self, x: Any) -> Quaternion:
+    @overload
+    def scalar(self, x: E | Number | Quaternion[E]) -> Quaternion[E]: ...
+    @overload
+    def scalar(self, x: object) -> Quaternion: ...
+    def scalar(self, x: object) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
         if isinstance(x, Quaternion):
             return self(x)
@@ -255,16 +298,16 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         self,
         text: str,
         *,
-        names: Mapping[str, Quaternion] | None = None,
-        functions: Mapping[str, Callable[..., Any]] | None = None,
-    ) -> Quaternion:
+        names: Mapping[str, Quaternion[E]] | None = None,
+        functions: Mapping[str, Callable[..., object]] | None = None,
+    ) -> Quaternion[E]:
         """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
         ``conj norm trace inv scalar vector comm``; names and functions may be added. Raises
         :class:`NotationError`.
         """
         known = {name: self(x) for name, x in self.ring.names().items()}
         known |= dict(zip(BASIS, self.basis, strict=True)) | dict(names or {})
-        calls = {
+        calls: dict[str, Callable[..., object]] = {
             "/": lambda x, y: x / y,
             "**": lambda x, n: x**n,
             "[]": lambda q, n: self.scalar(q.coordinates[n]),
@@ -279,10 +322,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             **(functions or {}),
         }
         reader = syntax.Reader(self.scalar, known, calls, str(self), self.ring.parse_limit)
-        element: Quaternion = reader.read_typed(text)
+        element: Quaternion[E] = reader.read_typed(text)
         return element
 
-    def _lift(self, name: str, function: Any) -> Any:
+    def _lift(
+        self, name: str, function: Callable[..., E] | syntax.OfTrees
+    ) -> Callable[..., object]:
         """Apply a function of the ring, such as sqrt, to scalar multiples of e."""
         if isinstance(function, syntax.OfTrees):
             return function.then(self.scalar)
@@ -296,19 +341,19 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return lifted
 
     @cached_property
-    def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]:
+    def basis(self) -> Coordinates[Quaternion[E]]:
         """The basis ``(e, i, j, k)``."""
         rows = [[int(m == n) for m in range(4)] for n in range(4)]
         e, i, j, k = (self(*row) for row in rows)
         return e, i, j, k
 
     @property
-    def one(self) -> Quaternion:
+    def one(self) -> Quaternion[E]:
         """The identity e."""
         return self.basis[0]
 
     @property
-    def i(self) -> Quaternion:
+    def i(self) -> Quaternion[E]:
         """The basis element i.
 
         >>> A = H("GF(7)"); A.i * A.j == A.k, A.k**2
@@ -317,21 +362,21 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self.basis[1]
 
     @property
-    def j(self) -> Quaternion:
+    def j(self) -> Quaternion[E]:
         """The basis element j."""
         return self.basis[2]
 
     @property
-    def k(self) -> Quaternion:
+    def k(self) -> Quaternion[E]:
         """The basis element k, the product of i and j."""
         return self.basis[3]
 
     @cached_property
-    def zero(self) -> Quaternion:
+    def zero(self) -> Quaternion[E]:
         """The element 0."""
         return self(0, 0, 0, 0)
 
-    def elements(self) -> Iterator[Quaternion]:
+    def elements(self) -> Iterator[Quaternion[E]]:
         """Yield all q⁴ elements over a finite ring. Raises :class:`NotFiniteError`."""
         F = self.ring
         # a few are kept, many made anew again and again
@@ -349,7 +394,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             raise NotFiniteError(f"{self} is infinite, so its elements cannot be listed")
         return self.ring.order
 
-    def random_element(self, seed: int | None = None) -> Quaternion:
+    def random_element(self, seed: int | None = None) -> Quaternion[E]:
         """Return a random element; the same one for the same seed."""
         from random import Random
 
@@ -381,7 +426,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         rows = how.from_array(np.moveaxis(given, axis, 0) if given.ndim else given, copy)
         return from_stored(self, how, rows) if how.shape(rows) else self(*how.single(rows))
 
-    def product(self, values: Any, axis: int | None = None) -> Quaternion:
+    def product(
+        self, values: Quaternion[E] | Iterable[object], axis: int | None = None
+    ) -> Quaternion[E]:
         """Return the ordered product of an array, or of a list of elements, from left to right.
 
         An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
@@ -397,7 +444,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
         return parts[0]
 
-    def element_array(self) -> Quaternion:
+    def element_array(self) -> Quaternion[E]:
         """Return all q⁴ elements over a finite ring as one array, in the order of :meth:`elements`.
 
         Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
@@ -419,10 +466,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- its product, and the same over another ring -------------------------------------------
 
-    def multiplication_table(self) -> tuple[tuple[Quaternion, ...], ...]:
+    def multiplication_table(self) -> tuple[tuple[Quaternion[E], ...], ...]:
         """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
         return tuple(tuple(p * q for q in self.basis) for p in self.basis)
 
+    @overload
+    def change_ring(self, ring: Ring[L]) -> QuaternionAlgebra[L]: ...
+    @overload
+    def change_ring(self, ring: object) -> QuaternionAlgebra: ...
     def change_ring(self, ring: RingName) -> QuaternionAlgebra:
         """Return the algebra with the same constants over another ring, which must contain them.
 
@@ -435,7 +486,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         a, t, b = map(embedding(self.ring, L), self.constants)
         return QuaternionAlgebra(L, a, b, t)
 
-    def euler(self, sequence: str, angles: Iterable[object]) -> Quaternion:
+    def euler(self, sequence: str, angles: Iterable[object]) -> Quaternion[E]:
         """Return the product of the rotations about i, j, k by Euler angles, in Hamilton's algebra.
 
         ``sequence`` has the letters XYZ (intrinsic: each about an axis already turned) or xyz (extrinsic),
@@ -474,15 +525,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     def _substituted(
         self, values: Mapping[str, object]
-    ) -> tuple[QuaternionAlgebra, Callable[[Scalar], Any]]:
+    ) -> tuple[QuaternionAlgebra, Callable[[E], Scalar]]:
         """Return the algebra with values substituted in its constants, and the map of scalars."""
         ring, value = substitution(self.ring, values)
         a, t, b = map(value, self.constants)
         return QuaternionAlgebra(ring, a, b, t), value
 
-    def subs(
-        self, values: Mapping[Any, object] | None = None, /, **named: object
-    ) -> QuaternionAlgebra:
+    def subs(self, values: Substitution | None = None, /, **named: object) -> QuaternionAlgebra:
         """Return the algebra with values put in for variables of its constants, as :meth:`Quaternion.subs`.
 
         >>> QuaternionAlgebra("QQ(a,b)", "a", "b").subs(a=-1, b=-3)
@@ -490,7 +539,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         return self._substituted(values_given(values, named))[0]
 
-    def unknowns(self, names: str) -> Quaternion | tuple[Quaternion, ...]:
+    def unknowns(self, names: str) -> Quaternion | tuple[Quaternion[E], ...]:
         """Return quaternions with unknown coordinates p0 … p3: as many as names, and for one name itself.
 
         They lie in the algebra over the polynomials, over this ring, in the coordinates of all names that
@@ -532,7 +581,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             self._with_unknowns[names] = found
         return self._with_unknowns[names]
 
-    def _into(self, ring: Ring) -> Callable[[Scalar], Any]:
+    def _into(self, ring: Ring) -> Callable[[E], Scalar]:
         """Return the map of scalars into a ring that has more variables."""
         if not self.ring.variables:
             return ring
@@ -550,7 +599,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             return self if names == self._names else other
         return base._with_unknowns_named(names)
 
-    def _include(self, q: Quaternion) -> Quaternion:
+    def _include(self, q: Quaternion) -> Quaternion[E]:
         """Return an element of the algebra without these unknowns, or with fewer, as one of this."""
         A = q.algebra
         assert isinstance(A, QuaternionAlgebra), "there is a common algebra"
@@ -575,7 +624,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- linear algebra ------------------------------------------------------------------------
 
-    def center(self) -> tuple[Quaternion, ...]:
+    def center(self) -> tuple[Quaternion[E], ...]:
         """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
 
         Over a ring over which it is not free these are generators, none superfluous: every central element
@@ -594,7 +643,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """Return whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
         return structure.is_commutative(*self._here())
 
-    def radical(self) -> tuple[Quaternion, ...]:
+    def radical(self) -> tuple[Quaternion[E], ...]:
         """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
 
         Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
@@ -658,7 +707,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
     # factor; each is proved prime, or :class:`RingError` is raised.
 
-    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion | None:
+    def zero_norm_element(self, factors: Factors | None = None) -> Quaternion[E] | None:
         """Return a nonzero element of norm 0, or None if it is proved that there is none.
 
         Raises :class:`UndecidedError` where neither is known; the message says what was tried.
@@ -711,10 +760,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def _numeric_splitting(self) -> Splitting:
         """The splitting by a root of a, rounded."""
         from hfield.algebra.maps import Splitting
+        from hfield.fields.quadratic_forms.isomorphisms.splitting import CoordinateSplitting
 
-        found: Any = quadratic_forms.division_or_splitting(
-            *self._here()
-        )  # CDF has all square roots
+        found = quadratic_forms.division_or_splitting(*self._here())
+        assert isinstance(found, CoordinateSplitting), "CDF has all square roots"
         return Splitting.of(self, found)
 
     def _splitting(self) -> Splitting:
@@ -728,7 +777,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             )
         return answer
 
-    def from_polar(self, modulus: object, axis: object, angle: object) -> Quaternion:
+    def from_polar(self, modulus: object, axis: object, angle: object) -> Quaternion[E]:
         """Return ``modulus·(cos(angle) + axis·sin(angle))``, the angle in radians (thesis 1.4.4).
 
         The axis is an element with square −1, or its three coordinates; over RDF all may be arrays. Raises
@@ -740,7 +789,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         if isinstance(axis, (tuple, list)) and len(axis) == 3:
             axis = self(0, *axis)
-        n = self.scalar(0) + axis
+        n: Quaternion = self.scalar(0) + axis  # an array, perhaps
         off = n * n + 1
         fits = off.is_zero() if self.ring.is_exact else abs(off) < 1e-9
         if not (fits.all() if n.is_batch else fits):
@@ -748,14 +797,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
                 f"the square of the axis {shorten(n)} is not −1: divide it by its modulus"
             )
         cos, sin = analysis.cosine_and_sine(self.ring, angle)
-        q: Quaternion = (n * sin + cos) * modulus
-        return q
+        return (n * sin + cos) * modulus
 
-    def to_matrix(self, q: object) -> Any:
+    def to_matrix(self, q: object) -> tuple[tuple[E, E], tuple[E, E]]:
         """Return the 2 × 2 matrix of q under :meth:`split`. Raises CoercionError if there is none."""
         return self._splitting().to_matrix(q)
 
-    def from_matrix(self, matrix: Any) -> Quaternion:
+    def from_matrix(self, matrix: Sequence[Sequence[object]]) -> Quaternion[E]:
         """Return the element of a 2 × 2 matrix under :meth:`split`. Raises CoercionError if none."""
         return self._splitting().from_matrix(matrix)
 
@@ -798,7 +846,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         with known_primes(factors):
             return quadratic_forms.is_isomorphic(*self._here(), self._comparable(other))
 
-    def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
+    def isomorphism(self, other: Parent, factors: Factors | None = None) -> Isomorphism | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
 
         The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.
@@ -811,7 +859,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- finite fields -------------------------------------------------------------------------
 
-    def count(self, kind: str = "elements", *, norm: Any = None, square: Any = None) -> int:
+    def count(self, kind: str = "elements", *, norm: object = None, square: object = None) -> int:
         """Return the number of elements, over a finite ring.
 
         ``kind`` is ``elements``, ``units``, ``nilpotent`` or ``idempotent``; ``norm=n`` asks for those of
@@ -842,7 +890,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- exploring: its elements, groups, ideals: the package is imported on use ----------------
 
-    def _collection(self, name: str, value: Any = None) -> Elements:
+    def _collection(self, name: str, value: object = None) -> Elements:
         from hfield.exploring.elements import Elements
         from hfield.exploring.properties import Condition
 
@@ -1303,7 +1351,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return HurwitzOrder(hurwitz_order(self))
 
-    def read(self, text: str) -> Any:
+    def read(self, text: str) -> Value:
         """Read an element, a lattice, an order or an ideal that another system wrote, or a list of these.
 
         Read are what ``text_for`` writes for elements, lattices, orders, ideals and class sets, what Sage
@@ -1350,7 +1398,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         1
         """
         if self.ring != QQ:
-            order: Any = self.eichler_order(level)
+            order = self.eichler_order(level)
             return len(order.class_set() if order.is_definite() else order.classes_by_norm())
         from hfield.orders.standard_orders import class_number
 
@@ -1460,6 +1508,10 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
     )
 
 
+@overload
+def H(ring: Ring[E]) -> QuaternionAlgebra[E]: ...
+@overload
+def H(ring: object) -> QuaternionAlgebra: ...
 def H(ring: RingName) -> QuaternionAlgebra:
     """Return Hamilton's algebra over ``ring``: ``i² = j² = −1``, Table 1.1 of the thesis.
 

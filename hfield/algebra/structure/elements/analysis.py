@@ -15,13 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic
 
 from hfield.algebra.structure.elements.square_roots import square_roots
 from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no_value
 from hfield.core.product import Constants, Coordinates, Scalar, norm, trace
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.floats import RDF
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from hfield.fields.circles.angles import SymbolicAngle, WithAngles
 
-    PolarForm = tuple[Scalar, Coordinates, Scalar | SymbolicAngle]
+    PolarForm = tuple[E, Coordinates[E], E | SymbolicAngle]
 
 
 def over_floats(ring: Ring) -> bool:
@@ -42,10 +42,10 @@ def over_floats(ring: Ring) -> bool:
     return ring == RDF
 
 
-class RealFunctions:
+class RealFunctions(Generic[E]):
     """The exact functions of RR by name: ``exp``, ``log``, ``cos`` … and the angle of a point."""
 
-    def __init__(self, ring: Ring, q: Coordinates) -> None:
+    def __init__(self, ring: Ring[E], q: Coordinates[E]) -> None:
         batch = hasattr(q[0], "shape")
         if ring.name != "RR" or batch:
             what = f"arrays over {ring}" if batch else str(ring)
@@ -55,17 +55,17 @@ class RealFunctions:
             )
         self.ring = ring
 
-    def __getattr__(self, name: str) -> Callable[[Scalar], Scalar]:
+    def __getattr__(self, name: str) -> Callable[[E], E]:
         return self.ring.functions()[name]
 
-    def angle(self, y: Scalar, x: Scalar) -> Scalar:
+    def angle(self, y: E, x: E) -> E:
         """Return the angle of the point (x, y), which must be a rational multiple of π."""
         import sympy
 
         from hfield.fields.algebraic.closed_forms import to_sympy
 
         try:
-            found: Scalar = self.ring(sympy.atan2(to_sympy(y), to_sympy(x)))
+            found: E = self.ring(sympy.atan2(to_sympy(y), to_sympy(x)))
         except HFieldError:
             raise CoercionError(
                 f"the angle of the point ({x}, {y}) is not a rational multiple of π, and RR does not have "
@@ -74,7 +74,7 @@ class RealFunctions:
         return found
 
 
-def parts(ring: Ring, c: Constants, q: Coordinates) -> tuple[Scalar, Coordinates, Scalar]:
+def parts(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> tuple[E, Coordinates[E], E]:
     """Return w, v and s with ``q = w + v``, ``tr(v) = 0`` and ``v² = s``. 2 must be a unit of the ring."""
     a, t, b = c
     w, x, y, z = q
@@ -85,20 +85,20 @@ def parts(ring: Ring, c: Constants, q: Coordinates) -> tuple[Scalar, Coordinates
     return w + middle, (-middle, x, y, z), square
 
 
-def _combined(even: Scalar, odd: Scalar, v: Coordinates) -> Coordinates:
+def _combined(even: E, odd: E, v: Coordinates[E]) -> Coordinates[E]:
     """Return ``even + odd·v``."""
     w, x, y, z = v
     return even + odd * w, odd * x, odd * y, odd * z
 
 
 def exact_value(
-    ring: Ring,
-    c: Constants,
-    q: Coordinates,
-    f: Callable[[Scalar], Scalar],
-    slope: Callable[[Scalar], Scalar],
-    complex_parts: Callable[[Scalar, Scalar], tuple[Scalar, Scalar]],
-) -> Coordinates:
+    ring: Ring[E],
+    c: Constants[E],
+    q: Coordinates[E],
+    f: Callable[[E], E],
+    slope: Callable[[E], E],
+    complex_parts: Callable[[E, E], tuple[E, E]],
+) -> Coordinates[E]:
     """Return f(q) over RR, from f(w), f′(w), and the real and imaginary part of f(w + iφ)."""
     w, v, s = parts(ring, c, q)
     sign = ring.sign(s)
@@ -114,7 +114,7 @@ def exact_value(
     return _combined(even, ring.divide(odd, phi), v)
 
 
-def modulus(ring: Ring, c: Constants, q: Coordinates) -> Scalar:
+def modulus(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> E:
     """Return ``|q| = √N(q)``, the nonnegative root, of an array elementwise (Definition 2).
 
     Raises :class:`NoSolutionError` where the norm has no root in the base ring, and :class:`RingError`
@@ -123,7 +123,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Scalar:
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
 
-        found: Scalar = float_functions.modulus(c, q)
+        found: E = float_functions.modulus(c, q)
         return found
     square = norm(c, q)
     try:
@@ -132,7 +132,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Scalar:
         raise RingError(
             f"|q| is the nonnegative root of N(q), and {ring} has no ordering"
         ) from None
-    root: Scalar | None = ring.sqrt(square)
+    root: E | None = ring.sqrt(square)
     if root is None:
         raise NoSolutionError(
             f"|q| = √({shorten(ring.text(square))}) is not in {ring}; q.change_ring('RR') has it where "
@@ -141,13 +141,13 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Scalar:
     return root if positive(ring, root) else -root
 
 
-def positive(ring: Ring, x: Scalar) -> bool:
+def positive(ring: Ring[E], x: E) -> bool:
     """Return whether x ≥ 0; among functions of angles, where all angles are small and positive."""
-    sign: Callable[[Scalar], int] = getattr(ring, "sign_near_zero", ring.sign)
+    sign: Callable[[E], int] = getattr(ring, "sign_near_zero", ring.sign)
     return sign(x) >= 0
 
 
-def polar(ring: Ring, c: Constants, q: Coordinates) -> PolarForm:
+def polar(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> PolarForm[E]:
     """Return r, n and θ with ``q = r·(cos θ + n·sin θ)`` and ``n² = −1``; n of a scalar is i, j or k.
 
     Raises :class:`NoSolutionError` where v² > 0, or v ≠ 0 and v² = 0.
@@ -155,7 +155,7 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> PolarForm:
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
 
-        found: PolarForm = float_functions.polar(c, q, lambda: _axis(ring, c))
+        found: PolarForm[E] = float_functions.polar(c, q, lambda: _axis(ring, c))
         return found
     w, v, s = parts(ring, c, q)
     if has_angles(ring):
@@ -170,14 +170,14 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> PolarForm:
     return r, _combined(ring.zero, ring.inverse(phi), v), functions.angle(phi, w)
 
 
-def has_angles(ring: Ring) -> TypeIs[WithAngles]:
+def has_angles(ring: Ring[E]) -> TypeIs[WithAngles[E]]:
     """Return whether the ring has cosines and sines of angles."""
     return hasattr(ring, "angle_of_point")
 
 
 def _polar_with_angles(
-    ring: WithAngles, c: Constants, of: tuple[Scalar, Coordinates, Scalar], r: Scalar
-) -> PolarForm:
+    ring: WithAngles[E], c: Constants[E], of: tuple[E, Coordinates[E], E], r: E
+) -> PolarForm[E]:
     """Return the polar form; where all angles are small and positive, θ lies in [0, π], as over RR."""
     w, v, s = of
     if ring.is_zero(r):
@@ -211,7 +211,7 @@ def power_with_angles(ring: Ring, c: Constants, q: Coordinates, exponent: Fracti
     return _combined(length * cosine, length * sine, n)
 
 
-def _axis(ring: Ring, c: Constants) -> Coordinates:
+def _axis(ring: Ring[E], c: Constants[E]) -> Coordinates[E]:
     """Return the first of i, j, k whose square is −1."""
     a, t, b = c
     zero, one = ring.zero, ring.one
@@ -241,7 +241,7 @@ def cosine_and_sine(ring: Ring, angle: object) -> tuple[Scalar, Scalar]:
     )
 
 
-def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
+def exp(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
     """Return the sum of ``qⁿ/n!``, in Hamilton's algebra ``eʷ·(cos φ + n·sin φ)`` for q = w + φ·n."""
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
@@ -265,7 +265,7 @@ def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     )
 
 
-def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
+def log(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
     """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π).
 
     Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
@@ -276,7 +276,7 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
         return float_functions.value(ring, c, q, float_functions.LOG)
     of = RealFunctions(ring, q)
 
-    def real(x: Scalar) -> Scalar:
+    def real(x: E) -> E:
         if ring.sign(x) <= 0:
             raise NoSolutionError(no_value(", ".join(map(ring.text, q)), "principal logarithm"))
         return of.log(x)
@@ -291,7 +291,7 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     )
 
 
-def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
+def sqrt(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
     """Return the principal root: of trace > 0, or 0 for 0. Raises :class:`NoSolutionError`."""
     if over_floats(ring):
         return power(ring, c, q, 0.5)
@@ -305,7 +305,9 @@ def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     raise NoSolutionError(f"there is no square root of positive trace over {ring}; {others}")
 
 
-def power(ring: Ring, c: Constants, q: Coordinates, exponent: float | Fraction) -> Coordinates:
+def power(
+    ring: Ring[E], c: Constants[E], q: Coordinates[E], exponent: float | Fraction
+) -> Coordinates[E]:
     """Return ``exp(exponent·log q)`` over RDF."""
     over_floats(ring)
     from hfield.algebra.structure.elements import float_functions
