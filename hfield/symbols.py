@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias, TypeGuard
 
 from hfield.algebra.embedding import embedding
 from hfield.core.product import Constants, Scalar
@@ -21,8 +21,12 @@ if TYPE_CHECKING:
 Substitution: TypeAlias = "Mapping[str, object] | Mapping[sympy.Symbol, object]"
 """Values for variables, by their names or symbols."""
 
+OfQuaternion: TypeAlias = "sympy.Quaternion | sympy.MutableDenseMatrix"
+OfSympy: TypeAlias = "sympy.Basic | sympy.MutableDenseMatrix | tuple[OfSympy, ...] | list[OfSympy]"
+"""An object of sympy, or a tuple or list of some."""
 
-def to_sympy(x: Any, symbols: Iterable[sympy.Symbol] = ()) -> Any:
+
+def to_sympy(x: object, symbols: Iterable[sympy.Symbol] = ()) -> OfSympy:
     """Return x as an object of sympy: an expression of a scalar, a ``sympy.Quaternion`` of an element.
 
     Elements of algebras other than (−1, −1 | F) become 4 × 1 matrices of their coordinates. A matrix becomes
@@ -43,7 +47,7 @@ def to_sympy(x: Any, symbols: Iterable[sympy.Symbol] = ()) -> Any:
     return _out(x, given)
 
 
-def _out(x: Any, symbols: Mapping[str, sympy.Symbol]) -> Any:
+def _out(x: object, symbols: Mapping[str, sympy.Symbol]) -> OfSympy:
     import sympy
 
     if hasattr(x, "_in_sympy"):
@@ -66,12 +70,12 @@ def element_to_sympy(
     constants: Constants,
     coordinates: Iterable[Scalar],
     symbols: Mapping[str, sympy.Symbol],
-) -> Any:
+) -> OfQuaternion:
     """Return the element with these coordinates: a quaternion of sympy, or a 4 × 1 matrix."""
     return of_coordinates(ring, constants, [ring.to_sympy(x, symbols) for x in coordinates])
 
 
-def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Expr]) -> Any:
+def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Expr]) -> OfQuaternion:
     """Return a quaternion of sympy, or a 4 × 1 matrix, with these coordinates."""
     import sympy
 
@@ -90,30 +94,31 @@ def is_hamilton(ring: Ring, constants: Constants) -> bool:
     )
 
 
-def coordinates_in(x: Any) -> tuple[Any, ...] | None:
+def coordinates_in(x: object) -> tuple[object, ...] | None:
     """Return the four coordinates of a quaternion, a 4 × 1 matrix or a 4-tuple of sympy, or None."""
     if not is_of_sympy(x):
         return None
     if is_quaternion(x):
         return x.a, x.b, x.c, x.d
-    if hasattr(x, "tolist") and x.shape in ((4, 1), (1, 4), (4,)):
-        return tuple(x)
-    if type(x).__name__ == "Tuple" and len(x) == 4:
-        return tuple(x)
+    found: sympy.Basic = x
+    if hasattr(found, "tolist") and found.shape in ((4, 1), (1, 4), (4,)):
+        return tuple(found)
+    if type(found).__name__ == "Tuple" and len(found) == 4:
+        return tuple(found)
     return None
 
 
-def is_quaternion(x: object) -> bool:
+def is_quaternion(x: object) -> TypeGuard[sympy.Quaternion]:
     """Return whether x is a quaternion of sympy."""
     return is_of_sympy(x) and type(x).__name__ == "Quaternion"
 
 
-def as_list(x: Any) -> Any:
+def as_list(x: object) -> object:
     """Return an array or a matrix of sympy as nested lists, and anything else unchanged."""
     return x.tolist() if is_of_sympy(x) and hasattr(x, "tolist") else x
 
 
-def variable_name(x: Any) -> str:
+def variable_name(x: object) -> str:
     """Return the name of a variable: a text or a symbol of sympy. Raises :class:`CoercionError`."""
     name = x if isinstance(x, str) else getattr(x, "name", None)
     if not isinstance(name, str):
@@ -138,7 +143,9 @@ def values_given(values: Substitution | None, named: Mapping[str, object]) -> di
     return found
 
 
-def substitution(ring: Ring, values: Mapping[str, object]) -> tuple[Ring, Callable[[Scalar], Any]]:
+def substitution(
+    ring: Ring, values: Mapping[str, object]
+) -> tuple[Ring, Callable[[Scalar], Scalar]]:
     """Return the ring in which values for variables lie, and the homomorphism into it.
 
     It is the ring of constants where every variable has a value there, RR or CC where it has one among the

@@ -13,17 +13,17 @@ from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure import is_central_simple
 from hfield.algebra.structure.elements.trace_and_norm import element_of
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
-from hfield.fields.base.ring import WithIntegers
+from hfield.fields.base.ring import E, Ring, WithIntegers
 from hfield.fields.quadratic_forms import is_division, is_isomorphic, ramified_places
-from hfield.fields.quadratic_forms.global_field import GlobalField, global_field
+from hfield.fields.quadratic_forms.global_field import GlobalField, global_field, known_field
 from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 MAX_CANDIDATES = 50_000  # scalars that are tried where local conditions tell which are slots
 MAX_CONICS = 10  # of these so many are tried: a conic may be too hard
-Slot = tuple[Any, Quaternion, Quaternion]
+Slot = tuple[Scalar, Quaternion, Quaternion]
 ALBERT = (
     "A. A. Albert, Proc. AMS 35 (1972): the index is at most 2 exactly where there is a common slot"
 )
@@ -119,8 +119,8 @@ class TensorProduct:
         return next(filter(None, tried), None)
 
     def _candidates(
-        self, field: GlobalField, places: Collection[Any]
-    ) -> Iterator[tuple[Any, Quaternion | None]]:
+        self, field: GlobalField, places: Collection[Hashable]
+    ) -> Iterator[tuple[Scalar, Quaternion | None]]:
         """Yield small scalars that are squares at none of the places, with a known root where there is
         one.
 
@@ -141,7 +141,7 @@ class TensorProduct:
         """Return the square of an element of trace 0 of one algebra, if the other has it too."""
         return self._of_square(-z.norm(), z)
 
-    def _of_square(self, a: Any, given: Quaternion | None = None) -> Slot | None:
+    def _of_square(self, a: Scalar, given: Quaternion | None = None) -> Slot | None:
         """Return the slot a with elements of both algebras, or None where none are found."""
         found = []
         for A in (self.first, self.second):
@@ -164,7 +164,7 @@ class TensorProduct:
         return self._slot
 
 
-def pure_form(F: Any, c: Constants) -> list[Any]:
+def pure_form(F: Ring[E], c: Constants[E]) -> list[E]:
     """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
     a = c.a if F.is_zero(c.t) else c.t * c.t + c.a * F(4)
     return [a, c.b, -a * c.b]
@@ -184,7 +184,7 @@ def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
                 yield sum(terms, A.scalar(0))
 
 
-def _numbered(F: Any, n: int) -> Any:
+def _numbered(F: Ring, n: int) -> Scalar | int:
     """Return the small element of number n in a field; its negative has the number −n.
 
     Over number fields all integers are numbered: the digits of n to the base 3, −1, 0 and 1, go in turn to
@@ -201,10 +201,14 @@ def _numbered(F: Any, n: int) -> Any:
                 coordinates[k] += digit * scale
                 n = (n - digit) // 3
             scale *= 3
-        return sum(w * c for w, c in zip(F.integral_basis(), coordinates, strict=True))
+        combination: Scalar | int = sum(
+            w * c for w, c in zip(F.integral_basis(), coordinates, strict=True)
+        )
+        return combination
     if not F.characteristic or F.order is not None or F.gen_name is None:
         return n
-    total, power = F.zero, F.one
+    total: Scalar = F.zero
+    power = F.one
     while n:
         n, digit = divmod(n, F.characteristic)
         total, power = total + power * F(digit), power * F.gen
@@ -224,7 +228,7 @@ def _splits(A: Parent) -> bool:
         return False
 
 
-def _square_root(A: Parent, d: Any) -> Quaternion | None:
+def _square_root(A: Parent, d: Scalar) -> Quaternion | None:
     """Return an element of trace 0 that is not a scalar and has the square d; None where none is found."""
     try:
         q = element_of(A.ring, A.constants, A.ring.zero, -d)
@@ -241,7 +245,7 @@ class Corestriction:
     added up, so that ``brauer_class``, where it ramifies, are those with an odd number.
     """
 
-    algebra: Any
+    algebra: Parent
     above: dict[Hashable, tuple[Hashable, ...]]
 
     @property
@@ -255,14 +259,14 @@ class Corestriction:
         return 2 if self.brauer_class else 1
 
 
-def corestriction(A: Parent, base: Any) -> Corestriction:
+def corestriction(A: Parent, base: Ring) -> Corestriction:
     """Return the corestriction of an algebra over a number field to ℚ or another subfield.
 
     Invariants of places are added over each place below (J.-P. Serre, *Local Fields*, XI.2.1 and XIII.3.7).
     Raises :class:`RingError` for fields of another kind, :class:`CoercionError` where the base is no subfield
     that is known, or the algebra is degenerate.
     """
-    F: Any = A.ring
+    F = A.ring
     for K in (F, base):
         if K.characteristic or not isinstance(K, WithIntegers):
             raise RingError(
@@ -274,7 +278,7 @@ def corestriction(A: Parent, base: Any) -> Corestriction:
     above: dict[Hashable, list[Hashable]] = {}
     for w in ramified_places(F, A.constants):
         above.setdefault(_below(w, base, image), []).append(w)
-    field: Any = global_field(base)
+    field = known_field(base)
     odd = [v for v, places in above.items() if len(places) % 2]
     found = type(A)(base, *field.with_ramification(odd))  # type: ignore[call-arg]
     places = {v: tuple(places) for v, places in above.items()}

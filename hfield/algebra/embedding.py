@@ -5,14 +5,13 @@ the x of GF(16), and a residue modulo 7 is no rational number.
 """
 
 from collections.abc import Callable
-from typing import Any
 
 import flint
 
 from hfield import syntax
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.finite.ring import ExtensionField
 
 
@@ -38,10 +37,11 @@ def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
     functions = {"/": target.divide, "**": target.power, **target.functions()}
     reader = syntax.Reader(target, names, functions, target.name, target.parse_limit)
 
-    def embed(x: Scalar) -> Any:
+    def embed(x: Scalar) -> Scalar:
         text = source.text(x)
         try:
-            return reader.read(text)
+            image: Scalar = reader.read(text)
+            return image
         except HFieldError as error:
             raise CoercionError(
                 f"{shorten(text)} of {source} has no image in {target}: {error}"
@@ -58,7 +58,7 @@ def _generators(source: Ring, target: Ring) -> dict[str, Scalar]:
     return own if below is None else {**own, **_generators(below, target)}
 
 
-def _image(source: ExtensionField, target: Ring) -> Any:
+def _image(source: ExtensionField, target: Ring[E]) -> E:
     """Return a root of the modulus of a finite field in the target."""
     inner = target.constants or target
     if inner == source:
@@ -73,7 +73,9 @@ def _image(source: ExtensionField, target: Ring) -> Any:
     return target(inner.text(root))
 
 
-def _modulus_at(source: ExtensionField, target: ExtensionField, y: Any) -> Any:
+def _modulus_at(
+    source: ExtensionField, target: ExtensionField, y: flint.fq_default
+) -> flint.fq_default:
     value = target.zero
     for c in reversed(source.coefficients):
         value = value * y + target(c)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import permutations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Generic
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.product import Coordinates, Scalar
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
+from hfield.fields.base.ring import E
 from hfield.fields.quadratic_forms.isomorphisms import splitting
 from hfield.verdicts import Verdict
 
@@ -21,15 +22,15 @@ if TYPE_CHECKING:
 Matrix = splitting.Matrix
 
 
-class LinearMap:
+class LinearMap(Generic[E]):
     """A linear map of algebras over one ring, known by the ``images`` of e, i, j, k; call it."""
 
-    def __init__(self, source: Parent, target: Parent, images: Sequence[object]) -> None:
+    def __init__(self, source: Parent[E], target: Parent[E], images: Sequence[object]) -> None:
         self.source, self.target = source, target
         e, i, j, k = (target(*q) if isinstance(q, (tuple, list)) else target(q) for q in images)
-        self.images: tuple[Quaternion, Quaternion, Quaternion, Quaternion] = (e, i, j, k)
+        self.images: Coordinates[Quaternion[E]] = (e, i, j, k)
 
-    def __call__(self, q: Quaternion) -> Quaternion:
+    def __call__(self, q: object) -> Quaternion[E]:
         """Return the image of q, an element of the source or what the source reads as one."""
         if isinstance(q, Quaternion) and q.algebra != self.source:
             raise MixedParentsError(
@@ -41,15 +42,15 @@ class LinearMap:
         ]
         return terms[0] + terms[1] + terms[2] + terms[3]
 
-    def matrix(self) -> tuple[tuple[Any, ...], ...]:
+    def matrix(self) -> tuple[tuple[E, ...], ...]:
         """Return the 4 × 4 matrix: column n holds the coordinates of the image of basis element n."""
         return tuple(zip(*(q.coordinates for q in self.images), strict=True))
 
     @property
-    def determinant(self) -> Scalar:
+    def determinant(self) -> E:
         """The determinant of the matrix, an element of the base ring."""
         m = self.matrix()
-        total: Scalar = self.target.ring.zero
+        total = self.target.ring.zero
         for p in permutations(range(4)):
             sign = (-1) ** sum(p[s] > p[r] for r in range(4) for s in range(r))
             term = m[0][p[0]] * m[1][p[1]] * m[2][p[2]] * m[3][p[3]]
@@ -78,14 +79,18 @@ class LinearMap:
         return rf"${arrow}\colon\quad {', '.join(rows)}$"
 
 
-class Isomorphism(LinearMap):
+class Isomorphism(LinearMap[E]):
     """An isomorphism of algebras; the relations and the determinant are checked when it is made.
 
     ``reverses`` says that it is one onto the opposite algebra: φ(pq) = φ(q)·φ(p).
     """
 
     def __init__(
-        self, source: Parent, target: Parent, images: Sequence[object], reverses: bool = False
+        self,
+        source: Parent[E],
+        target: Parent[E],
+        images: Sequence[object],
+        reverses: bool = False,
     ) -> None:
         super().__init__(source, target, images)
         self.reverses = reverses
@@ -105,7 +110,7 @@ class Isomorphism(LinearMap):
         if not self.target.ring.is_unit(self.determinant):
             raise NotInvertibleError(f"{self} is not bijective: its determinant is not a unit")
 
-    def inverse(self) -> Isomorphism:
+    def inverse(self) -> Isomorphism[E]:
         """Return the inverse isomorphism, checked in its turn."""
         ring, m = self.target.ring, self.matrix()
         scale = ring.inverse(self.determinant)
@@ -119,14 +124,14 @@ class Isomorphism(LinearMap):
         return Isomorphism(self.target, self.source, columns, self.reverses)
 
 
-def _minor(m: list[list[Scalar]]) -> Scalar:
+def _minor(m: list[list[E]]) -> E:
     """Return the determinant of a 3 × 3 matrix."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Splitting(Verdict[Quaternion]):
+class Splitting(Verdict[Quaternion[E]]):
     """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
 
     It is true, and :class:`Division` is false. ``i`` and ``j`` are the matrices of i and j (``I, J =
@@ -134,11 +139,11 @@ class Splitting(Verdict[Quaternion]):
     witness, and ``reason`` says why there is one.
     """
 
-    algebra: Parent = field(kw_only=True)
+    algebra: Parent[E] = field(kw_only=True)
     coordinate_splitting: splitting.CoordinateSplitting = field(kw_only=True)
 
     @classmethod
-    def of(cls, algebra: Parent, found: splitting.CoordinateSplitting) -> Splitting:
+    def of(cls, algebra: Parent[E], found: splitting.CoordinateSplitting) -> Splitting[E]:
         """Return the splitting of an algebra that is given on coordinates."""
         return cls(
             True,
@@ -164,7 +169,7 @@ class Splitting(Verdict[Quaternion]):
         return self.coordinate_splitting.j
 
     @property
-    def zero_divisor(self) -> Quaternion:
+    def zero_divisor(self) -> Quaternion[E]:
         """An element of norm 0, from which the splitting was made."""
         assert self.witness is not None, "a splitting is made from a zero divisor"
         return self.witness
@@ -177,7 +182,7 @@ class Splitting(Verdict[Quaternion]):
         coordinates: Coordinates = self.algebra(q).coordinates
         return self.coordinate_splitting.to_matrix(coordinates)
 
-    def from_matrix(self, matrix: Sequence[Sequence[Any]]) -> Quaternion:
+    def from_matrix(self, matrix: Sequence[Sequence[object]]) -> Quaternion[E]:
         """Return the element whose matrix is given, two rows of two entries.
 
         Raises :class:`CoercionError` for another shape or for entries that are not in the field.
@@ -207,7 +212,7 @@ class Division(Verdict[None]):
 
     algebra: Parent = field(kw_only=True)
     method: str = ""
-    places: tuple[Any, ...] = ()
+    places: tuple[Hashable, ...] = ()
     assumes: tuple[str, ...] = ()
 
     @classmethod

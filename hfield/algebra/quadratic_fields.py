@@ -12,8 +12,9 @@ from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure import is_central_simple
 from hfield.algebra.structure.elements.trace_and_norm import element_of, obstruction
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, RingError, UndecidedError, shorten
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.names import ring as read_ring
 from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
@@ -30,8 +31,8 @@ class Embedding(Verdict[Quaternion]):
     Where it has none, ``place`` is one at which there is none locally, if the field has places.
     """
 
-    trace: Any = None
-    norm: Any = None
+    trace: Scalar | None = None
+    norm: Scalar | None = None
     place: Hashable | None = None
 
 
@@ -42,7 +43,7 @@ def embed(A: Parent, extension: object) -> Embedding:
     or by d for F(√d). It embeds exactly where no ramified place of A splits in it (Voight, *Quaternion
     Algebras*, 14.6.7). Raises :class:`RingError` for what is no such extension, :class:`UndecidedError`.
     """
-    F: Any = A.ring
+    F = A.ring
     if not is_central_simple(F, A.constants):
         raise CoercionError(f"{A} is not central simple")
     if not F.is_exact:
@@ -64,16 +65,16 @@ def embed(A: Parent, extension: object) -> Embedding:
     return Embedding(True, witness=A(*q), trace=t, norm=n)
 
 
-def _shown(A: Any, t: Any, n: Any) -> str:
+def _shown(A: Parent, t: Scalar, n: Scalar) -> str:
     return f"{A.polynomials('x')([n, -t, 1])} has no root in {A}"
 
 
-def _by_search(A: Parent, t: Any, n: Any) -> Embedding | None:
+def _by_search(A: Parent[E], t: E, n: E) -> Embedding | None:
     """Search small pure elements, and residues that exclude one; None where neither is found."""
-    F: Any = A.ring
+    F = A.ring
     if F.characteristic == 2:
         return None
-    half = t / F(2)
+    half = F.divide(t, F(2))
     d = half * half - n
     for x in pure_elements(A, BOUND):
         square = -x.norm()
@@ -86,7 +87,7 @@ def _by_search(A: Parent, t: Any, n: Any) -> Embedding | None:
     return Embedding(False, f"{_shown(A, t, n)}: {reason}", trace=t, norm=n)
 
 
-def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:
+def _trace_and_norm(A: Parent[E], given: object) -> tuple[E, E]:
     """Return t and n for which x² − t·x + n has no root in F and a root of it generates the extension."""
     F = A.ring
     if isinstance(given, str):
@@ -110,7 +111,7 @@ def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:
     return t, n
 
 
-def _read(A: Any, text: str) -> object:
+def _read(A: Parent, text: str) -> object:
     """Return what a text means: an element of F, a field, or a polynomial in another variable."""
     F, typed, text = A.ring, text, plain_element(text)
     words = {*re.findall(r"[^\W\d]\w*", text)} - {*F.names(), *F.functions()}
@@ -127,7 +128,7 @@ def _read(A: Any, text: str) -> object:
     return A.polynomials(x).parse(text)
 
 
-def _coefficients(given: Any) -> list[Any] | None:
+def _coefficients(given: object) -> list[object] | None:
     """Return the coefficients, low degree first, of a polynomial of ours or of flint's, or of a list."""
     if isinstance(given, list | tuple):
         return list(given)
@@ -142,7 +143,7 @@ def _coefficients(given: Any) -> list[Any] | None:
     return [q.coordinates[0] for q in listed]
 
 
-def _has_root(F: Any, t: Any, n: Any) -> bool:
+def _has_root(F: Ring[E], t: E, n: E) -> bool:
     if F.characteristic != 2:
         return bool(F.is_square(t * t - n * F(4)))
     if F.is_zero(t):
@@ -153,7 +154,7 @@ def _has_root(F: Any, t: Any, n: Any) -> bool:
     return bool(F.roots([n, -t, F.one]))
 
 
-def _relative(F: Any, L: Any) -> list[Any]:
+def _relative(F: Ring[E], L: Ring) -> list[E]:
     """Return the polynomial over F of the generator of a field L above it: of degree 2."""
     refusal = RingError(f"{shorten(L.name)} is not a quadratic extension of {F.name}")
     if F.characteristic != L.characteristic:
@@ -165,7 +166,8 @@ def _relative(F: Any, L: Any) -> list[Any]:
         return list(modulus)
     if base is not None and base != F and getattr(F, "base", None) is not None:
         embedding(F, L)
-        return [F.constant(x) for x in _relative(F.base, base)]
+        functions: Any = F  # a field of functions, as L
+        return [functions.constant(x) for x in _relative(functions.base, base)]
     try:
         into = embedding(F, L)
         absolute = _absolute(L)
@@ -180,10 +182,15 @@ def _relative(F: Any, L: Any) -> list[Any]:
     raise refusal
 
 
-def _absolute(L: Any) -> list[Any]:
+def _absolute(L: Ring) -> list[object]:
     """Return the coefficients over the prime field of the polynomial of the generator, () where not known."""
     if hasattr(L, "polynomial"):
         return list(L.polynomial.coeffs())
-    if getattr(L, "degree", None) == 2 and not L.characteristic and hasattr(L, "norm"):
+    if (
+        getattr(L, "degree", None) == 2
+        and not L.characteristic
+        and hasattr(L, "norm")
+        and hasattr(L, "trace")
+    ):
         return [L.norm(L.gen), -L.trace(L.gen), 1]
     return list(getattr(L, "coefficients", ()))

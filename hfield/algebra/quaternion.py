@@ -36,7 +36,7 @@ from hfield.fields.base.ring import E, Ring
 from hfield.fields.base.storage.base import BatchStorage, Storage
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
-from hfield.symbols import Substitution, element_to_sympy, values_given, variable_name
+from hfield.symbols import OfSympy, Substitution, element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax.other_systems import OtherSystemWriter
 from hfield.verdicts import Verdict
@@ -612,7 +612,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         rows = ([change(scalar(x)) for x in c.ravel()] for c in arrays)
         return algebra(*rows).reshape(self.shape)
 
-    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> OfSympy:
         """Return q as :func:`hfield.to_sympy` does, with symbols by name; an array as nested tuples."""
         import sympy
 
@@ -620,7 +620,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
             return sympy.Tuple(*(q._in_sympy(symbols) for q in self))
         return element_to_sympy(self.ring, self.algebra.constants, self.coordinates, symbols)
 
-    def _sympy_(self) -> Any:
+    def _sympy_(self) -> OfSympy:
         return self._in_sympy({})
 
     @overload

@@ -92,14 +92,14 @@ class ScipyRotation(Protocol):
     def as_quat(self, *, scalar_first: bool) -> np.ndarray: ...  # noqa: D102
 
 
-class Opposite(NamedTuple):
+class Opposite(NamedTuple, Generic[E]):
     """The opposite algebra, in which p and q have the product q·p, and the isomorphism onto it.
 
     ``isomorphism`` maps the given algebra onto ``algebra`` and turns products round, φ(pq) = φ(q)·φ(p).
     """
 
-    algebra: QuaternionAlgebra
-    isomorphism: Isomorphism
+    algebra: QuaternionAlgebra[E]
+    isomorphism: Isomorphism[E]
 
 
 class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
@@ -129,7 +129,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def __init__(self, ring: Ring[E], a: object, b: object, t: object = 0) -> None: ...
     @overload
     def __init__(
-        self: QuaternionAlgebra[Any],
+        self: QuaternionAlgebra,
         ring: object,
         a: object = None,
         b: object = None,
@@ -186,12 +186,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
-    def storage(self) -> Storage[Any, E]:
+    def storage(self) -> Storage[object, E]:
         """The storage of single elements, which computes with them."""
         return self.ring.storage(self.constants)
 
     @cached_property
-    def array_storage(self) -> BatchStorage:
+    def array_storage(self) -> BatchStorage[object]:
         """The storage of arrays of elements, which computes with them."""
         return self.ring.array_storage(self.constants)
 
@@ -675,7 +675,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         """Return whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
         return structure.is_central_simple(*self._here())
 
-    def derivations(self) -> tuple[LinearMap, ...]:
+    def derivations(self) -> tuple[LinearMap[E], ...]:
         """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
 
         A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
@@ -686,7 +686,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         matrices = structure.derivations(*self._here())
         return tuple(LinearMap(self, self, list(zip(*m, strict=True))) for m in matrices)
 
-    def opposite(self) -> Opposite:
+    def opposite(self) -> Opposite[E]:
         """Return the opposite algebra and an isomorphism with it.
 
         It has the same constants, for the map that fixes i and j and sends k = ij to ji turns products
@@ -721,7 +721,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         with known_primes(factors):
             return quadratic_forms.is_division(*self._here())
 
-    def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
+    def division_or_splitting(self, factors: Factors | None = None) -> Splitting[E] | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
 
         The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
@@ -731,7 +731,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             return self._split_or_not
 
     @cached_property
-    def _split_or_not(self) -> Splitting | Division:
+    def _split_or_not(self) -> Splitting[E] | Division:
         from hfield.algebra.maps import Division, Splitting
         from hfield.fields.quadratic_forms.isomorphisms.splitting import (
             CoordinateSplitting as Found,
@@ -746,7 +746,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             return Splitting.of(self, answer)
         return Division.of(self, answer)
 
-    def split(self, factors: Factors | None = None) -> Splitting | None:
+    def split(self, factors: Factors | None = None) -> Splitting[E] | None:
         """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
 
         >>> I, J = H("GF(3)").split()
@@ -757,7 +757,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return answer if isinstance(answer, Splitting) else None
 
     @cached_property
-    def _numeric_splitting(self) -> Splitting:
+    def _numeric_splitting(self) -> Splitting[E]:
         """The splitting by a root of a, rounded."""
         from hfield.algebra.maps import Splitting
         from hfield.fields.quadratic_forms.isomorphisms.splitting import CoordinateSplitting
@@ -766,7 +766,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         assert isinstance(found, CoordinateSplitting), "CDF has all square roots"
         return Splitting.of(self, found)
 
-    def _splitting(self) -> Splitting:
+    def _splitting(self) -> Splitting[E]:
         if self.ring == CDF:  # matrices of floats are computed, and nothing is decided by them
             return self._numeric_splitting
         answer = self.split()
@@ -816,7 +816,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         """
         return quadratic_forms.ramified_places(self.ring, self.constants, factors)
 
-    def discriminant(self, factors: Factors | None = None) -> Any:
+    def discriminant(self, factors: Factors | None = None) -> Any:  # by the field
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
         Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
@@ -846,7 +846,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         with known_primes(factors):
             return quadratic_forms.is_isomorphic(*self._here(), self._comparable(other))
 
-    def isomorphism(self, other: Parent, factors: Factors | None = None) -> Isomorphism | None:
+    def isomorphism(
+        self, other: Parent[E], factors: Factors | None = None
+    ) -> Isomorphism[E] | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
 
         The relations and the determinant are checked. Raises as :meth:`is_isomorphic` does.

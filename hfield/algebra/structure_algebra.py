@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import gcd
-from typing import Any
 
 from hfield import notation
 from hfield.core.product import Scalar
@@ -156,14 +155,16 @@ class StructureAlgebra:
             for name, v in zip(self.names, basis, strict=True)
         }
 
-        def constant(f: Any) -> Any:
-            def apply(*arguments: Any) -> _Term:
+        def constant(f: Callable[..., Scalar]) -> Callable[..., _Term]:
+            def apply(*arguments: object) -> _Term:
                 values = [x.scalar() if isinstance(x, _Term) else x for x in arguments]
                 return _Term(self, products, f(*values), nothing)
 
             return apply
 
-        functions: dict[str, Any] = {name: constant(f) for name, f in ring.functions().items()}
+        functions: dict[str, Callable[..., _Term]] = {
+            name: constant(f) for name, f in ring.functions().items()
+        }
         functions |= {"/": _Term.divided_by, "**": _Term.power}
         term: _Term = Reader(number, names, functions, f"this algebra over {ring.name}").read_typed(
             text

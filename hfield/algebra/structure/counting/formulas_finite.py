@@ -14,7 +14,7 @@ by p where it has none. Nothing is enumerated but residues modulo 8.
 
 from collections.abc import Sequence
 from math import prod
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import flint
 
@@ -39,10 +39,10 @@ class _Shape(NamedTuple):
     """The type of the norm form: ``split``, ``binary+``, ``binary-``, ``line`` or ``additive``."""
 
     kind: str
-    slot: Any = None  # for a binary form in odd characteristic, the a of w² − a·x²
+    slot: Scalar | None = None  # for a binary form in odd characteristic, the a of w² − a·x²
 
 
-def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
+def count(ring: Ring, c: Constants, kind: str, value: object = None) -> Count:
     """Return the number of elements of one of the kinds in ``counted_kinds``, by closed formula.
 
     ``value`` is the norm (default 0) or the scalar whose square roots are counted (default 1). Raises
@@ -59,8 +59,8 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
     if kind == "elements":
         return Count(q**4, "q^4" if ring.is_field else "n^4")
     if not ring.is_field:
-        value = ring((kind == "square roots") if value is None else value)
-        parts = _modulo_prime_powers(ring, c, kind, int(value))
+        n = ring((kind == "square roots") if value is None else value)
+        parts = _modulo_prime_powers(ring, c, kind, int(n))
         return Count(prod(parts), "*".join(map(str, parts)))
     shape = _shape(ring, c)
     if kind == "norm":
@@ -158,6 +158,7 @@ def _traceless(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
     if shape.kind == "split":
         # a ternary form of discriminant a square: −s is a norm of trace 0 in q² + q or q² − q ways
         return Count(q**2 + q, "q^2+q") if ring.sqrt(s) is not None else Count(q**2 - q, "q^2-q")
+    assert shape.slot is not None, "the norm form is binary"
     return Count(0, "0") if ring.sqrt(s * shape.slot) is None else Count(2 * q**2, "2*q^2")
 
 

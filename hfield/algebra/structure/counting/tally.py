@@ -65,12 +65,14 @@ class RingTables:
         self.elements = list(ring.elements())
         self.index = {ring.key(x): n for n, x in enumerate(self.elements)}
         self.size = len(self.elements)
-        self.sums = self._table(np, "sum", lambda x, y: x + y)
-        self.products = self._table(np, "product", lambda x, y: x * y)
+        self.sums = self._table("sum", lambda x, y: x + y)
+        self.products = self._table("product", lambda x, y: x * y)
         negatives = [self.index[ring.key(ring.zero - x)] for x in self.elements]
         self.negatives = np.array(negatives, dtype=np.int32)
 
-    def _table(self, np: Any, name: str, operation: Callable[[Scalar, Scalar], Scalar]) -> Any:
+    def _table(self, name: str, operation: Callable[[Scalar, Scalar], Scalar]) -> np.ndarray:
+        import numpy as np
+
         from hfield.fields.base.array_storage.finite import scalar_arrays
 
         key, index = self.ring.key, self.index
@@ -94,7 +96,7 @@ class Indices:
     __slots__ = ("tables", "values")
 
     def __init__(self, tables: RingTables, values: Any) -> None:
-        self.tables, self.values = tables, values
+        self.tables, self.values = tables, values  # an array, or one number of numpy
 
     def __add__(self, other: Indices) -> Indices:
         t = self.tables

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from math import lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -29,10 +29,12 @@ GREATEST = 10**9  # greater orders are not looked for
 UNKNOWN = 1000  # up to this order roots of unity are compared with numbers not seen to be algebraic
 BITS = 2**14
 
-Enclosure = Callable[[int], Any]
+Enclosure = Callable[[int], flint.acb | None]
 
 
-def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = None) -> int | None:
+def closed_order(
+    ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Surd | Closed | None = None
+) -> int | None:
     """Return the order of an element with trace t and norm n, or of a scalar; None if it is infinite.
 
     Raises :class:`UndecidedError` where a number is neither seen to be algebraic, nor to be no root of
@@ -76,7 +78,7 @@ def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = N
     )
 
 
-def _shown(t: Surd | Closed, n: Surd | Closed, scalar: Any) -> str:
+def _shown(t: Surd | Closed, n: Surd | Closed, scalar: Surd | Closed | None) -> str:
     if scalar is not None:
         return f"the value {shorten(scalar)}"
     return f"trace {shorten(t)} and norm {shorten(n)}"
@@ -138,7 +140,7 @@ def _agrees(
     ring: Ring,
     t: Surd | Closed,
     n: Surd | Closed,
-    scalar: Surd | Closed,
+    scalar: Surd | Closed | None,
     angles: list[Fraction],
     power: int | None,
 ) -> bool:
@@ -154,7 +156,7 @@ def _agrees(
         return ring.equal(u, ring.one) and ring.is_zero(v)
     if scalar is not None:
         return bool(scalar == _unit_root(angles[0]))
-    return bool(n == _unit_root(sum(angles))) and bool(t == _unit_root(*angles))
+    return bool(n == _unit_root(sum(angles, Fraction()))) and bool(t == _unit_root(*angles))
 
 
 def _unit_root(*angles: Fraction) -> Surd | Closed:

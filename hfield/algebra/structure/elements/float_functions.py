@@ -14,6 +14,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from hfield.algebra.structure.elements.undefined_values import NO_POLAR_FORM, no_value
 from hfield.compiling import machine_code, memory
@@ -29,7 +30,7 @@ from hfield.fields.base.array_storage.floats import MIN_COMPILED
 if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
-Array = np.ndarray[Any, np.dtype[np.float64]]
+Array: TypeAlias = npt.NDArray[np.float64]
 Number: TypeAlias = Any  # a float, or an array of floats
 HAMILTON = Constants(-1.0, 0.0, -1.0)
 BLOCK_SIZE = 8192  # quaternions
@@ -64,7 +65,7 @@ def parts(c: Constants, q: Sequence[Number]) -> tuple[Number, Number | None, Num
     return w + middle, middle, square
 
 
-def _any(flags: Any) -> bool:
+def _any(flags: bool | np.ndarray) -> bool:
     return flags if isinstance(flags, bool) else bool(flags.any())
 
 
@@ -81,7 +82,7 @@ def _length(w: Number, phi: Number, square: Number) -> Number:
     return np.sqrt(total) if _is_safe(total) else np.hypot(w, phi)
 
 
-def _even_and_odd(f: FloatFunction, c: Constants, q: Sequence[Number]) -> tuple[Any, ...]:
+def _even_and_odd(f: FloatFunction, c: Constants, q: Sequence[Number]) -> tuple[Number, ...]:
     """Return the result of :func:`parts`, ``even`` and ``odd``; these are not finite if there is no value."""
     w, middle, s = parts(c, q)
     if isinstance(s, float):
@@ -99,7 +100,7 @@ def _even_and_odd(f: FloatFunction, c: Constants, q: Sequence[Number]) -> tuple[
     return w, middle, s, even, odd
 
 
-def _of_one(f: FloatFunction, w: float, s: float, is_scalar: bool) -> tuple[Any, Any]:
+def _of_one(f: FloatFunction, w: float, s: float, is_scalar: bool) -> tuple[Number, Number]:
     phi = math.sqrt(abs(s))
     if s < 0:
         return f.circular(w, phi, -s)
@@ -126,7 +127,7 @@ def value(ring: Ring, c: Constants, q: Coordinates, f: FloatFunction) -> Coordin
             w, x, y, z = found
             return w, x, y, z
 
-    def rows(part: Sequence[Number]) -> tuple[Iterable[Number], Any]:
+    def rows(part: Sequence[Number]) -> tuple[Iterable[Number], Number]:
         _, middle, _, even, odd = _even_and_odd(f, constants, part)
         first = even if middle is None else even - odd * middle
         return (first, odd * part[1], odd * part[2], odd * part[3]), even + odd
@@ -134,13 +135,13 @@ def value(ring: Ring, c: Constants, q: Coordinates, f: FloatFunction) -> Coordin
     out, wrong = _in_blocks(rows, q, 4)
     if wrong is not None:
         raise _error(ring, q, wrong, f.noun)
-    coordinates: Coordinates = out
-    return coordinates
+    w, x, y, z = out
+    return w, x, y, z
 
 
 def _in_blocks(
-    rows: Callable[[Sequence[Number]], tuple[Iterable[Number], Any]], q: Coordinates, count: int
-) -> tuple[Any, Array | None]:
+    rows: Callable[[Sequence[Number]], tuple[Iterable[Number], Number]], q: Coordinates, count: int
+) -> tuple[Iterable[Number], np.ndarray | None]:
     """Apply a function to a single element, or to a batch block by block.
 
     The function returns rows and a test value. The second result marks the entries whose test value is not
@@ -263,7 +264,7 @@ ROOT, LENGTH = (
 # --- modulus and polar form ---------------------------------------------------------------------------
 
 
-def modulus(c: Constants, q: Coordinates) -> Any:
+def modulus(c: Constants, q: Coordinates) -> Number:
     """Return the nonnegative root of the norm. Raises :class:`NoSolutionError` where that is negative."""
     constants = Constants(*map(float, c))
     if not is_batch(q):
@@ -291,14 +292,16 @@ def _scaled_modulus(c: Constants, q: Array) -> Array:
     return found
 
 
-def polar(c: Constants, q: Coordinates, axis: Callable[[], Coordinates]) -> Any:
+def polar(
+    c: Constants, q: Coordinates, axis: Callable[[], Coordinates]
+) -> tuple[Number, Coordinates, Number]:
     """Return modulus, axis and angle in [0, π]; ``axis`` gives that of scalars.
 
     Raises :class:`NoSolutionError` where v is not 0 and has no negative square.
     """
     constants = Constants(*map(float, c))
 
-    def rows(part: Sequence[Number]) -> tuple[Iterable[Number], Any]:
+    def rows(part: Sequence[Number]) -> tuple[Iterable[Number], Number]:
         w, middle, s = parts(constants, part)
         v = [-middle if middle is not None else 0.0 * w, *part[1:]]
         scalar = (part[1] == 0) & (part[2] == 0) & (part[3] == 0)
@@ -311,4 +314,5 @@ def polar(c: Constants, q: Coordinates, axis: Callable[[], Coordinates]) -> Any:
     out, wrong = _in_blocks(rows, q, 5)
     if wrong is not None:
         raise NoSolutionError(NO_POLAR_FORM)
-    return modulus(c, q), out[:4], out[4]
+    w, x, y, z, angle = out
+    return modulus(c, q), (w, x, y, z), angle

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
@@ -200,7 +199,7 @@ def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
 
 def _pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
     """Yield the pairs of elements by square; only x = 0 may have no solution."""
-    seen: list[Any] = []
+    seen: list[Scalar] = []
     for n, x in enumerate(ring.elements()):
         seen.append(x)
         for y in seen:

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from itertools import product
-from typing import Any
 
 from hfield.algebra.structure.elements.square_roots import quadric, square_roots
 from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import UndecidedError
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import E, Ring
 from hfield.fields.quadratic_forms.global_field import global_field, known_field
 from hfield.fields.quadratic_forms.isomorphisms.splitting import split
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import is_division
 from hfield.fields.quadratic_forms.normal_forms import normal_form
 
 
-def element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
+def element_of(ring: Ring[E], c: Constants[E], t: E, n: E) -> Coordinates[E] | None:
     """Return an element of trace t and norm n that is not a scalar, or None, for a central simple algebra.
 
     Raises :class:`UndecidedError` where neither is known.
@@ -27,7 +26,7 @@ def element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
     return q
 
 
-def _element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
+def _element_of(ring: Ring[E], c: Constants[E], t: E, n: E) -> Coordinates[E] | None:
     if not is_division(ring, c):
         matrices = split(ring, c)
         assert matrices is not None, "the algebra has zero divisors"
@@ -48,7 +47,7 @@ def _element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
     return root[0] + half, *root[1:]
 
 
-def obstruction(ring: Ring, c: Constants, t: Any, n: Any) -> Any:
+def obstruction(ring: Ring[E], c: Constants[E], t: E, n: E) -> Hashable | None:
     """Return a place at which no element has trace t and norm n, or None.
 
     It is one where the algebra ramifies and x² − t·x + n has a root, or where a form has no zero.
@@ -62,7 +61,7 @@ def obstruction(ring: Ring, c: Constants, t: Any, n: Any) -> Any:
         return None
 
 
-def all_elements_of(ring: Ring, c: Constants, t: Any, n: Any) -> Iterator[Coordinates]:
+def all_elements_of(ring: Ring[E], c: Constants[E], t: E, n: E) -> Iterator[Coordinates[E]]:
     """Yield the elements of trace t and norm n of any algebra over a finite field."""
     if ring.characteristic != 2:
         half = ring.divide(t, ring(2))

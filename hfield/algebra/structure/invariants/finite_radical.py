@@ -8,8 +8,9 @@ condition says nothing and the second is additive in q; at all others the first 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Hashable
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates, Scalar, norm
@@ -47,9 +48,8 @@ def _searched(ring: Ring, c: Constants) -> list[Row]:
     """Return generators by trying all elements modulo the radical of the ring."""
     everything = list(ring.elements()) if ring.order is not None and ring.order <= 1000 else []
     null = [x for x in everything if is_nilpotent(ring, x)]
-    classes: dict[
-        Any, Any
-    ] = {}  # the key of each element, and one element of its class modulo these
+    # the key of each element, and one element of its class modulo these
+    classes: dict[Hashable, Scalar] = {}
     for x in everything:
         if ring.key(x) not in classes:
             classes |= {ring.key(x + y): x for y in null}
