@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
 
 
-def lazy_alias(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+def lazy_alias(package: str) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
     """Return ``__getattr__`` and ``__dir__`` of a module that is an alias of a package.
 
     >>> get, _ = lazy_alias("math")

@@ -9,9 +9,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 BACKEND = "MPLBACKEND"
@@ -76,7 +77,7 @@ def default_settings() -> Iterator[None]:
 
 def titled_page(
     colors: Theme, title: str, facts: str, size: tuple[float, float]
-) -> tuple[Figure, Any]:
+) -> tuple[Figure, Axes]:
     """Return a figure of ``size`` inches with a title and a line below it, and the axes, without frame."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -84,7 +85,7 @@ def titled_page(
     width, height = size
     figure = Figure(figsize=size, facecolor=colors.page)
     FigureCanvasAgg(figure)
-    axes: Any = figure.add_axes((0.04, 0.03, 0.92, 1 - 0.03 - 0.77 / height))
+    axes = figure.add_axes((0.04, 0.03, 0.92, 1 - 0.03 - 0.77 / height))
     axes.axis("off")
     axes.set_aspect("equal")
     for text, below, color, size_of_letters in (

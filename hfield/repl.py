@@ -18,6 +18,10 @@ from hfield.hints import ForeignImportError, ForeignNameError, called_here
 from hfield.notation import BASIS
 
 if TYPE_CHECKING:
+    from IPython.core.completer import CompletionContext
+    from IPython.core.interactiveshell import InteractiveShell
+    from IPython.terminal.ipapp import TerminalIPythonApp
+
     from hfield.algebra import QuaternionAlgebra
     from hfield.prover.prove import Answer
 
@@ -178,13 +182,14 @@ def start(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> int:
     return _run_ipython(app, names, banner(A))
 
 
-def _ipython() -> Any:
+def _ipython() -> type[TerminalIPythonApp] | None:
     """Return the class of IPython's terminal sessions, None where IPython is not installed."""
     try:
         from IPython.terminal.ipapp import TerminalIPythonApp
     except ImportError:
         return None
-    return TerminalIPythonApp
+    app: type[TerminalIPythonApp] = TerminalIPythonApp
+    return app
 
 
 class _Console(InteractiveConsole):
@@ -297,7 +302,7 @@ def _attributes(names: Mapping[str, object], line: str) -> list[str]:
     return [f"{found[1]}.{name}" for name in completions(names[found[1]], found[2])]
 
 
-def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
+def _run_ipython(app: type[TerminalIPythonApp], names: dict[str, object], greeting: str) -> int:
     from traitlets.config import Config
 
     config = Config()
@@ -326,7 +331,7 @@ def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
     return 0
 
 
-def _complete_in_order(shell: Any, names: Mapping[str, object]) -> None:
+def _complete_in_order(shell: InteractiveShell, names: Mapping[str, object]) -> None:
     """Let IPython complete the names of an algebra in the order of the documentation."""
     from hfield.algebra import QuaternionAlgebra
 
@@ -335,7 +340,7 @@ def _complete_in_order(shell: Any, names: Mapping[str, object]) -> None:
     except ImportError:  # an IPython before 8.6 sorts them
         return
 
-    def algebra_matcher(context: Any) -> dict[str, Any]:
+    def algebra_matcher(context: CompletionContext) -> dict[str, object]:
         found = _ATTRIBUTE.search(context.text_until_cursor)
         user: Mapping[str, object] = getattr(shell, "user_ns", names)
         if found is None or not isinstance(user.get(found[1]), QuaternionAlgebra):

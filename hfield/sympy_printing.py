@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sympy.printing.pretty.stringpict import prettyForm
 
 
 class PrintedBySympy:
@@ -19,17 +22,17 @@ class PrintedBySympy:
     def _repr_latex_(self) -> str | None:
         return None
 
-    def _latex(self, printer: Any) -> str:
+    def _latex(self, printer: object) -> str:
         found = self._repr_latex_()
         return rf"\mathtt{{\text{{{self}}}}}" if found is None else found.strip("$")
 
-    def _sympystr(self, printer: Any) -> str:
+    def _sympystr(self, printer: object) -> str:
         return str(self)
 
-    def _sympyrepr(self, printer: Any) -> str:
+    def _sympyrepr(self, printer: object) -> str:
         return str(self)
 
-    def _pretty(self, printer: Any) -> Any:
+    def _pretty(self, printer: object) -> prettyForm:
         from sympy.printing.pretty.stringpict import prettyForm
 
         return prettyForm(repr(self))

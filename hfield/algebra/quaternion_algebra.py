@@ -86,7 +86,7 @@ LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
 
 
-class ScipyRotation(Protocol):
+class SupportsQuaternions(Protocol):
     """The method of rotations, ours and scipy's, that gives their unit quaternions."""
 
     def as_quat(self, *, scalar_first: bool) -> np.ndarray: ...  # noqa: D102
@@ -266,7 +266,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             )
         return self._element(coordinates)
 
-    def _of_rotation(self, x: ScipyRotation) -> Quaternion[E]:
+    def _of_rotation(self, x: SupportsQuaternions) -> Quaternion[E]:
         """Return the unit quaternions of a rotation with scipy's method ``as_quat``."""
         if self.ring.is_exact or not is_hamilton(*self._here()):
             raise CoercionError(
@@ -892,7 +892,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
 
     # --- exploring: its elements, groups, ideals: the package is imported on use ----------------
 
-    def _collection(self, name: str, value: object = None) -> Elements:
+    def _collection(self, name: str, value: Scalar | None = None) -> Elements:
         from hfield.exploring.elements import Elements
         from hfield.exploring.properties import Condition
 

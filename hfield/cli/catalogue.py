@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.parser import Parser, UsageError, suggest
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
+    from types import ModuleType
 
 
 # The groups of `hfield --help`, each with its commands and what they do.
@@ -77,7 +78,7 @@ LAST, OTHER = "Tools", "Other packages"
 GROUP = "hfield.commands"
 
 
-def command(name: str) -> tuple[Any, Parser]:
+def command(name: str) -> tuple[ModuleType, Parser]:
     """Return the module of a command and the parser of its arguments. Raises :class:`UsageError`."""
     module = _load(name)
     parser = Parser(f"hfield {name}", module.HELP, getattr(module, "EXAMPLES", ()))
@@ -102,12 +103,13 @@ def groups() -> dict[str, dict[str, str]]:
     return found | {LAST: GROUPS[LAST]}
 
 
-def _load(name: str) -> Any:
+def _load(name: str) -> ModuleType:
     if name in COMMANDS:
         return import_module(f"hfield.cli.commands.{name.replace('-', '_')}")
     foreign = _foreign()
     if name in foreign:
-        return foreign[name].load()
+        module: ModuleType = foreign[name].load()
+        return module
     if name.startswith("-"):
         raise UsageError(
             f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import CertifiedClaim
+    from hfield.orders.base_values import BaseIdeal
     from hfield.orders.lattice import ClassSet, Ideal, Lattice
     from hfield.verdicts import Verdict
 
@@ -159,7 +160,7 @@ def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
     return [A(word) for word in words]
 
 
-def level_of(text: str, A: QuaternionAlgebra, what: str = "level") -> Any:
+def level_of(text: str, A: QuaternionAlgebra, what: str = "level") -> BaseIdeal:
     """Read a level: a positive integer over ℚ, or generators of an ideal over another field, with commas.
 
     ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`LatticeError`.

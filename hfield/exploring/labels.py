@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Parent, Quaternion, from_stored
 from hfield.algebra.structure.counting.tally import (
@@ -196,8 +196,7 @@ def labelled(algebra: Parent) -> LabelledAlgebra:
 
     Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError` beyond :data:`MAX_ORDER`.
     """
-    key: Any = algebra  # which is hashable, as a Parent need not be
-    return _labelled(key)
+    return _labelled(algebra)
 
 
 @lru_cache(maxsize=8)

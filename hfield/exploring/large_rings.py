@@ -49,8 +49,14 @@ def solutions(algebra: Parent, condition: Condition) -> Iterator[Quaternion]:
 
 
 def _order(algebra: Parent) -> Callable[[Coordinates], tuple[int, ...]]:
-    label: Any = getattr(algebra.ring, "label", algebra.ring.key)
+    label = _label(algebra.ring)
     return lambda q: tuple(map(label, q))
+
+
+def _label(ring: Ring) -> Callable[[Scalar], int]:
+    """Return the function that numbers the elements in order."""
+    label: Callable[[Scalar], Any] = getattr(ring, "label", ring.key)
+    return label
 
 
 def _of_trace(algebra: Parent, s: Scalar) -> Iterator[tuple[Scalar, Scalar]]:
@@ -179,8 +185,7 @@ class _BinaryForm:
             coefficients = coefficients[:-1]
         if not coefficients:
             return list(ring.elements())
-        label: Any = ring
-        return sorted(ring.roots(coefficients), key=label.label) if len(coefficients) > 1 else []
+        return sorted(ring.roots(coefficients), key=_label(ring)) if len(coefficients) > 1 else []
 
 
 def _binary(ring: Ring, form: Callable[[Scalar, Scalar], Scalar]) -> _BinaryForm:

@@ -6,7 +6,7 @@ import colorsys
 from collections.abc import Sequence
 from math import ceil, cos, pi, sin, sqrt
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Parent
 from hfield.core.files import whole_file
@@ -272,7 +272,9 @@ def _reading_angle(x: float, y: float) -> float:
     return angle if -90 <= angle <= 90 else angle - 180
 
 
-def _layout(kind: str, vertices: np.ndarray, pairs: np.ndarray) -> tuple[np.ndarray, list[Any]]:
+def _layout(
+    kind: str, vertices: np.ndarray, pairs: np.ndarray
+) -> tuple[np.ndarray, list[tuple[float, float, float]]]:
     """Return points and colours: a circle for each component, those with the same neighbours together."""
     import numpy as np
 
@@ -282,9 +284,9 @@ def _layout(kind: str, vertices: np.ndarray, pairs: np.ndarray) -> tuple[np.ndar
         neighbours[place[x]].add(place[y])
         neighbours[place[y]].add(place[x])
     components = _components(neighbours)
-    groups: dict[Any, int] = {}
+    groups: dict[frozenset[int], int] = {}
     points = np.zeros((len(vertices), 2))
-    colors: list[Any] = [None] * len(vertices)
+    group_of = [0] * len(vertices)
     centres, radius = _centres(len(components))
     for component, (cx, cy) in zip(components, centres, strict=True):
         # twins have the same neighbours; commuting ones are neighbours of each other
@@ -296,10 +298,9 @@ def _layout(kind: str, vertices: np.ndarray, pairs: np.ndarray) -> tuple[np.ndar
         for n, vertex in enumerate(ordered):
             angle = pi / 2 - 2 * pi * n / len(ordered)
             points[vertex] = (cx + radius * cos(angle), cy + radius * sin(angle))
-            group = groups.setdefault(keys[vertex], len(groups))
-            colors[vertex] = group
+            group_of[vertex] = groups.setdefault(keys[vertex], len(groups))
     hues = _hues(len(groups))
-    return points, [colorsys.hls_to_rgb(hues[group], 0.52, 0.62) for group in colors]
+    return points, [colorsys.hls_to_rgb(hues[group], 0.52, 0.62) for group in group_of]
 
 
 def _components(neighbours: Sequence[set[int]]) -> list[list[int]]:

@@ -10,7 +10,7 @@ class Condition(NamedTuple):
     """The condition of a collection: a name, and a value for elements of given norm or trace."""
 
     name: str
-    value: Any = None
+    value: Any = None  # None where the name says all
 
 
 _TESTS: dict[str, Callable[[Quaternion, Any], bool]] = {

@@ -6,7 +6,7 @@ Over a field a submodule is a subspace, and the rows are its basis in reduced ec
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from functools import cached_property
 from math import prod
 from typing import Any
@@ -21,7 +21,7 @@ from hfield.exploring.labels import order_of_ring
 from hfield.fields.base.modular import Modular
 from hfield.fields.linear_algebra.echelon import echelon
 
-Row = list[Any]
+Row = list[Any]  # scalars, over ℤ/n residues
 
 
 class Submodule(WithoutCaches):
@@ -84,7 +84,7 @@ class Submodule(WithoutCaches):
         return tuple(self.algebra(*row) for row in self._rows)
 
     @cached_property
-    def key(self) -> tuple[Any, ...]:
+    def key(self) -> tuple[Hashable, ...]:
         """A hashable value, the same for equal submodules."""
         return tuple(self.algebra.ring.key(x) for row in self._rows for x in row)
 

@@ -7,10 +7,10 @@ known by formulas. Over ℤ/n an algebra is the product of those over its prime 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
@@ -34,7 +34,11 @@ from hfield.fields.base.modular import Modular
 from hfield.fields.quadratic_forms.normal_forms import discriminant
 
 if TYPE_CHECKING:
+    import flint
     import numpy as np
+
+    from hfield.core.product import Scalar
+    from hfield.fields.base.ring import E, Ring
 
 
 class FiniteUnitGroup(WithoutCaches, ABC):
@@ -270,7 +274,7 @@ class LinearGroup(FiniteUnitGroup):
         ring = self.algebra.ring
         o, e = ring.zero, ring.one
         g = primitive_element(ring)
-        pair: Any = (((g, o), (o, e)), ((-e, e), (-e, o)))
+        pair: tuple[Sequence[Sequence[Scalar]], ...] = (((g, o), (o, e)), ((-e, e), (-e, o)))
         if self.special:
             pair = (((g, o), (o, ring.inverse(g))), ((-e, e), (-e, o)))
         if self.q == 2 or (self.special and self.q == 3):
@@ -326,8 +330,7 @@ def unit_group(algebra: Parent, special: bool = False) -> FiniteUnitGroup:
     properties raise :class:`TooLargeError` if they would have to list too many elements.
     """
     order_of_ring(algebra)
-    key: Any = algebra  # which is hashable, as a Parent need not be
-    return _unit_group(key, special)
+    return _unit_group(algebra, special)
 
 
 @lru_cache(maxsize=4)
@@ -344,7 +347,7 @@ def prime_power_parts(algebra: Parent) -> list[Parent]:
     ring = algebra.ring
     if not isinstance(ring, Modular):
         return [algebra]
-    make: Any = type(algebra)
+    make: Callable[..., Parent] = type(algebra)
     constants = [int(x) for x in (algebra.constants.a, algebra.constants.b, algebra.constants.t)]
     return [make(f"ZZ/{p**k}", *constants) for p, k in factorise(ring.modulus).items()]
 
@@ -377,14 +380,16 @@ def _condition(algebra: Parent, special: bool) -> Condition:
     return Condition("norm", algebra.ring.one) if special else Condition("units")
 
 
-def primitive_element(ring: Any) -> Any:
+def primitive_element(ring: Ring[E]) -> E:
     """Return the first generator of the multiplicative group of a finite field."""
-    primes = factorise(ring.order - 1)
+    assert ring.order is not None, "the field is finite"
+    n = ring.order - 1
+    primes = factorise(n)
     return next(
         x
         for x in ring.elements()
         if not ring.is_zero(x)
-        and all(not ring.equal(ring.power(x, (ring.order - 1) // p), ring.one) for p in primes)
+        and all(not ring.equal(ring.power(x, n // p), ring.one) for p in primes)
     )
 
 
@@ -412,7 +417,7 @@ def _jordan_totient(n: int) -> int:
 
 def _gap_matrix(u: Quaternion) -> str:
     """Write the matrix of ``x ↦ u·x`` for GAP."""
-    ring: Any = u.ring
+    ring = u.ring
     rows = u.matrix()
     if isinstance(ring, Modular):
         name = f"GF({ring.order})" if ring.is_field else f"ZmodnZ({ring.order})"
@@ -425,7 +430,7 @@ def _gap_matrix(u: Quaternion) -> str:
         )
     z = f"Z({ring.order})"
 
-    def entry(x: Any) -> str:
+    def entry(x: flint.fq_default) -> str:
         terms = [f"{int(c)}*{z}^{n}" for n, c in enumerate(x.to_list()) if int(c)]
         return "+".join(terms) or f"0*{z}"
 

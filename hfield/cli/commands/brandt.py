@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, answer_one
 from hfield.cli.order_arguments import (
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion_algebra import QuaternionAlgebra
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.ledger.claims_table import TerminalStyle
+    from hfield.orders.base_values import BaseIdeal
     from hfield.orders.lattice import ClassSet
 
 HELP = (
@@ -150,7 +151,7 @@ def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
 
 
 def _plain(
-    C: ClassSet, matrix: list[list[int]], n: Any, characteristic: list[int], width: int
+    C: ClassSet, matrix: list[list[int]], n: BaseIdeal, characteristic: list[int], width: int
 ) -> list[str]:
     from hfield.presenting import hanging
 
@@ -190,7 +191,7 @@ def _plot(graph: BrandtGraph, args: Namespace, replace: bool) -> None:
         ) from error
 
 
-def _graph(C: ClassSet, matrix: list[list[int]], n: Any) -> BrandtGraph:
+def _graph(C: ClassSet, matrix: list[list[int]], n: BaseIdeal) -> BrandtGraph:
     """Return the graph of a Brandt matrix."""
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.core.primality import is_prime

@@ -19,6 +19,7 @@ from hfield.plotting import (
 
 if TYPE_CHECKING:
     import numpy as np
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 MAX_NUMBERED_EDGES = 150
@@ -192,7 +193,7 @@ def _stress(distances: np.ndarray, places: np.ndarray) -> float:
 
 class _Drawing:
     def __init__(
-        self, axes: Any, graph: BrandtGraph, points: np.ndarray, colors: Theme, dark: bool
+        self, axes: Axes, graph: BrandtGraph, points: np.ndarray, colors: Theme, dark: bool
     ) -> None:
         self.axes, self.graph, self.points = axes, graph, points
         self.colors, self.dark = colors, dark
@@ -303,7 +304,8 @@ class _Drawing:
         return start + gap / 2
 
     def number(self, place: Sequence[float], count: int) -> None:
-        self.axes.text(*place, str(count), ha="center", va="center", fontsize=8.5, zorder=2,
+        x, y = place
+        self.axes.text(x, y, str(count), ha="center", va="center", fontsize=8.5, zorder=2,
                        color=self.colors.ink, bbox={"facecolor": self.colors.page, "edgecolor": "none",
                        "boxstyle": "round,pad=0.12"})  # fmt: skip
 
@@ -339,5 +341,6 @@ class _Drawing:
         written = self.axes.text(
             x, y, text, ha="left", va="center", fontsize=9, color=self.colors.ink
         )
-        box = written.get_window_extent(self.axes.figure.canvas.get_renderer())
+        canvas: Any = self.axes.figure.canvas  # of Agg, which has a renderer
+        box = written.get_window_extent(canvas.get_renderer())
         return float(box.x1 / self.axes.figure.dpi)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument, of_parts
 from hfield.cli.order_arguments import add_answers, answer_certified, ideal_json
@@ -13,6 +13,8 @@ from hfield.errors import shorten
 
 if TYPE_CHECKING:
     from hfield.evidence import CertifiedClaim
+    from hfield.fields.number_fields.classes.class_groups import ClassGroup
+    from hfield.fields.number_fields.ring import NumberField
     from hfield.presenting import AnswerSection
 
 HELP = (
@@ -43,9 +45,10 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
     from hfield.fields.names import ring
+    from hfield.fields.number_fields.ring import NumberField
 
-    K: Any = ring(args.field)
-    if not hasattr(K, "class_group"):
+    K = ring(args.field)
+    if not isinstance(K, NumberField):
         raise UsageError(
             f"{shorten(K.name)} is not a number field; expected one such as QQ(sqrt(10))"
         )
@@ -54,11 +57,11 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
     return answer, lambda: (units if args.units else group).claim
 
 
-def to_json(K: Any) -> dict[str, object]:
+def to_json(K: NumberField) -> dict[str, object]:
     """Return what programs read."""
     units = K.unit_group()
 
-    def group(found: Any) -> dict[str, object]:
+    def group(found: ClassGroup) -> dict[str, object]:
         return {
             "order": found.order,
             "invariants": list(found.invariants),
@@ -84,13 +87,13 @@ def to_json(K: Any) -> dict[str, object]:
     }
 
 
-def parts(K: Any) -> list[AnswerSection]:
+def parts(K: NumberField) -> list[AnswerSection]:
     """Return what people read."""
     from hfield.presenting import Facts
 
     real, units = len(K.real_places()), K.unit_group()
 
-    def group(found: Any) -> str:
+    def group(found: ClassGroup) -> str:
         pairs = zip(found.invariants, found.generators, strict=True)
         return " × ".join(f"ℤ/{d} of {a}" for d, a in pairs) or "trivial"
 

@@ -6,7 +6,7 @@ import json
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.output import OutputError, note, open_output
 from hfield.cli.parser import UsageError, add_jobs, add_repeated
@@ -14,6 +14,8 @@ from hfield.cli.status import Progress
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from hfield.core.journal import Journal
     from hfield.surveys import Plan
 
@@ -199,7 +201,7 @@ def _done(journal: Journal, names: tuple[str, str]) -> set[tuple[object, object]
         ) from None
 
 
-def _pyarrow() -> Any:
+def _pyarrow() -> ModuleType:
     try:
         import pyarrow.parquet
     except ImportError:
@@ -207,7 +209,8 @@ def _pyarrow() -> Any:
             "a .parquet file needs pyarrow, which is not installed: run `pip install 'hfield[survey]'`, "
             "or write to a .jsonl file"
         ) from None
-    return pyarrow
+    module: ModuleType = pyarrow
+    return module
 
 
 def _to_parquet(journal: Journal, path: Path, names: tuple[str, str]) -> None:
