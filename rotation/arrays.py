@@ -6,16 +6,18 @@ axes are the batch; batches broadcast by numpy's rules.
 """
 
 import sys
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from hfield.errors import shorten
 from rotation import hints
+from rotation.array_types import Array
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 
-Array = npt.NDArray[Any]
+if TYPE_CHECKING:
+    import sympy
+
 Layout = Literal["aos", "soa"]
 Shape = tuple[int, ...]
 
@@ -86,7 +88,7 @@ def _from_sympy(array: Array, name: str) -> Array | None:
     return np.array(numbers, np.float64).reshape(array.shape)
 
 
-def _float(number: Any, name: str) -> float:
+def _float(number: "sympy.Expr", name: str) -> float:
     """Return a number of sympy as the nearest float."""
     if number.free_symbols:
         symbol = min(map(str, number.free_symbols))

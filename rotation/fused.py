@@ -20,8 +20,8 @@ from rotation.action import (
     by_euler,
     write,
 )
+from rotation.array_types import Array
 from rotation.arrays import (
-    Array,
     Layout,
     common_batch,
     components,

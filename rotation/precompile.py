@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 
 from rotation import action, euler, jacobians, kernels, rigid_motions, rotation, rowwise
-from rotation.arrays import Array
+from rotation.array_types import Array
 from rotation.curves import spline
 
 _PRECISIONS = ((np.float64, np.float64), (np.float32, np.float64), (np.float32, np.float32))

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from base64 import b64encode
 from html import escape
-from typing import Any
+from typing import Any, TypedDict
 
 from hfield.report import Chapter
 from hfield.report.chapters import ChapterError
@@ -46,7 +46,19 @@ _FIGURES: dict[str, tuple[str, str, dict[str, str]]] = {
         },
     ),
 }
-_BENCHMARK: dict[str, dict[str, Any]] = {
+
+
+class BenchmarkWords(TypedDict):
+    """The words of the chapter on the benchmark, in a language."""
+
+    title: str
+    head: tuple[str, ...]
+    machine: str
+    printed: str
+    said: dict[str, str]
+
+
+_BENCHMARK: dict[str, BenchmarkWords] = {
     "en": {
         "title": "The benchmark of section 3.2",
         "head": ("way", "ms per frame, best", "× copy", "× hfield"),
@@ -113,13 +125,13 @@ def benchmark(language: str) -> Chapter:
         raise ChapterError(
             f"the benchmark could not be run ({error}); leave its chapter out"
         ) from error
-    return Chapter("3.2", str(_BENCHMARK[language]["title"]), benchmark_html(data, language))
+    return Chapter("3.2", _BENCHMARK[language]["title"], benchmark_html(data, language))
 
 
 def benchmark_html(data: dict[str, Any], language: str) -> str:
     """Write the JSON of ``hfield bench`` as HTML tables, the fastest first."""
     words = _BENCHMARK[language]
-    said: dict[str, str] = words["said"]
+    said = words["said"]
     facts = {"points": f"{data['settings']['points']:,}".replace(",", "\u202f"), **data["machine"]}
     parts = [f"<p>{escape(words['machine'].format(**facts))}</p>"]
     for test in data["tests"]:

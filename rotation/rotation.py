@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Literal, Self, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -178,6 +178,26 @@ class Rotation(Conversions):
         """
         return cls._of(groups.elements(group, axis))
 
+    @overload
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: Literal[False] = False,
+    ) -> tuple[Self, Array]: ...
+    @overload
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        *,
+        return_sensitivity: Literal[True],
+    ) -> tuple[Self, Array, Array]: ...
+    @overload
     @classmethod
     def align_vectors(
         cls,
@@ -185,7 +205,15 @@ class Rotation(Conversions):
         b: ArrayLike,
         weights: ArrayLike | None = None,
         return_sensitivity: bool = False,
-    ) -> Any:
+    ) -> tuple[Self, Array] | tuple[Self, Array, Array]: ...
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: bool = False,
+    ) -> tuple[Self, Array] | tuple[Self, Array, Array]:
         """Return the rotation that takes vectors ``b`` closest to vectors ``a``, and how close.
 
         Minimises ``Σ w‖a − R·b‖²`` (Wahba's problem); see `rotation.align`.
@@ -350,12 +378,34 @@ class Rotation(Conversions):
 
         return self._alike(running_products(self._double, frame))
 
+    @overload
+    def reduce(
+        self,
+        left: Batch | None = None,
+        right: Batch | None = None,
+        return_indices: Literal[False] = False,
+    ) -> Self: ...
+    @overload
+    def reduce(
+        self,
+        left: Batch | None = None,
+        right: Batch | None = None,
+        *,
+        return_indices: Literal[True],
+    ) -> tuple[Self, Array, Array]: ...
+    @overload
     def reduce(
         self,
         left: Batch | None = None,
         right: Batch | None = None,
         return_indices: bool = False,
-    ) -> Any:
+    ) -> Self | tuple[Self, Array, Array]: ...
+    def reduce(
+        self,
+        left: Batch | None = None,
+        right: Batch | None = None,
+        return_indices: bool = False,
+    ) -> Self | tuple[Self, Array, Array]:
         """Return of all ``l·p·r`` the one of the smallest angle, for each of the rotations p.
 
         Parameters

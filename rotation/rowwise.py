@@ -11,7 +11,6 @@ if all arrays are. Each combination of precisions has its own loop.
 import itertools
 from collections.abc import Callable
 from math import prod
-from typing import Any
 
 import numpy as np
 
@@ -91,7 +90,7 @@ class RowFormula:
         self._others: dict[Kinds, RowFormula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
-        self.function: Callable[..., Any] = unmade
+        self.function: builtins.Function = unmade
         self._row: tuple[int, ...] = ()
         _made.append(self)
 
@@ -124,10 +123,10 @@ class RowFormula:
         if size > MUCH and prod(batch) > self._shortest:
             flag = self._shared(function, straight, out)
         else:
-            flag = function(out, *straight)
+            flag = function(out, *straight) is True
         return out if out.ndim else out[()], flag
 
-    def _compiled(self) -> Callable[..., Any]:
+    def _compiled(self) -> builtins.Function:
         """Return the machine code, or `unmade` where there can be none."""
         if not builtins.available():
             return unmade
@@ -156,7 +155,7 @@ class RowFormula:
             )
         return straight
 
-    def _shared(self, function: Callable[..., bool], arrays: list[Array], out: Array) -> bool:
+    def _shared(self, function: builtins.Function, arrays: list[Array], out: Array) -> bool:
         """Compute in blocks, shared by all threads."""
         rows = out.size // prod(self._row)
         flat = [
@@ -168,9 +167,8 @@ class RowFormula:
 
         def work(start: int, end: int) -> bool:
             piece = slice(start, end)
-            return function(
-                result[piece], *(a[piece] if m else a for a, m in zip(flat, moving, strict=True))
-            )
+            pieces = (a[piece] if m else a for a, m in zip(flat, moving, strict=True))
+            return function(result[piece], *pieces) is True
 
         threads()  # a wrong number is an error of ours
         return bool(in_pieces(work, rows, _ROWS, self._shortest, (flat, result)))

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rotation.array_types import Seed
-from rotation.arrays import Array
+from rotation.array_types import Array, Seed
 from rotation.errors import RotationError
 
 _PSI = 1.533751168755204288118041  # ψ⁴ = ψ + 4

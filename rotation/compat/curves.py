@@ -1,10 +1,10 @@
 """`Slerp` and `RotationSpline` with scipy's interface."""
 
-from typing import Any
+from typing import Literal, overload
 
 import numpy as np
 
-from rotation.array_types import ArrayLike
+from rotation.array_types import Array, ArrayLike
 from rotation.compat import checks
 from rotation.compat.rotations import Rotation
 from rotation.curves import interpolation, spline
@@ -66,8 +66,14 @@ class RotationSpline:
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)
 
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[0] = 0) -> Rotation: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[1, 2]) -> Array: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: int) -> Rotation | Array: ...
     @quiet
-    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
+    def __call__(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
         """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
         if order not in (0, 1, 2):
             raise RotationError("`order` must be 0, 1 or 2.")
@@ -75,4 +81,4 @@ class RotationSpline:
         if t.ndim > 1:
             raise RotationError("`times` must be at most 1-dimensional.")
         found = self._curve.extended(t, order)
-        return found if order else Rotation._of(found._q)
+        return found if isinstance(found, np.ndarray) else Rotation._of(found._q)

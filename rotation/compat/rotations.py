@@ -2,7 +2,7 @@
 
 import warnings
 from collections.abc import Iterable, Sequence
-from typing import Any, Self, cast
+from typing import Literal, Self, cast, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -255,12 +255,34 @@ class Rotation(Assignable):
         axes = checks.averaged(axis, len(self.shape))
         return self._of(answers.averaged(self._q, checks.weighted(weights, self.shape), axes))
 
+    @overload
+    def reduce(
+        self,
+        left: "Rotation | None" = None,
+        right: "Rotation | None" = None,
+        return_indices: Literal[False] = False,
+    ) -> Self: ...
+    @overload
+    def reduce(
+        self,
+        left: "Rotation | None" = None,
+        right: "Rotation | None" = None,
+        *,
+        return_indices: Literal[True],
+    ) -> tuple[Self, Array | None, Array | None]: ...
+    @overload
     def reduce(
         self,
         left: "Rotation | None" = None,
         right: "Rotation | None" = None,
         return_indices: bool = False,
-    ) -> Any:
+    ) -> Self | tuple[Self, Array | None, Array | None]: ...
+    def reduce(
+        self,
+        left: "Rotation | None" = None,
+        right: "Rotation | None" = None,
+        return_indices: bool = False,
+    ) -> Self | tuple[Self, Array | None, Array | None]:
         """Return of all products ``l·p·r`` the one of the smallest angle."""
         if left is None and right is None:
             reduced = self._of(self._q.copy())
@@ -274,6 +296,26 @@ class Rotation(Assignable):
             return reduced
         return reduced, None if left is None else m, None if right is None else n
 
+    @overload
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: Literal[False] = False,
+    ) -> tuple[Self, Array]: ...
+    @overload
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        *,
+        return_sensitivity: Literal[True],
+    ) -> tuple[Self, Array, Array | None]: ...
+    @overload
     @classmethod
     def align_vectors(
         cls,
@@ -281,7 +323,15 @@ class Rotation(Assignable):
         b: ArrayLike,
         weights: ArrayLike | None = None,
         return_sensitivity: bool = False,
-    ) -> Any:
+    ) -> tuple[Self, Array] | tuple[Self, Array, Array | None]: ...
+    @classmethod
+    def align_vectors(
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: bool = False,
+    ) -> tuple[Self, Array] | tuple[Self, Array, Array | None]:
         """Return the rotation that takes vectors b closest to vectors a."""
         q, rssd, sensitivity = answers.aligned(a, b, weights, return_sensitivity)
         return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)

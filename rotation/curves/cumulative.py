@@ -4,7 +4,7 @@ C. Sommer, V. Usenko, D. Schubert, N. Demmel and D. Cremers, "Efficient derivati
 B-splines on Lie groups", CVPR 2020; after M.-J. Kim, M.-S. Kim and S. Y. Shin, SIGGRAPH 1995.
 """
 
-from typing import Any
+from typing import Generic, Literal, TypeVar, overload
 
 from rotation import hints, pytrees
 from rotation.array_types import Array, ArrayLike
@@ -15,12 +15,14 @@ from rotation.namespaces import certainly, floats, namespace, quiet
 from rotation.rigid import RigidTransform
 from rotation.rotation import Rotation
 
+M = TypeVar("M", Rotation, RigidTransform)
+
 # Of the weights of the three steps, by the fraction u of an interval: 1, u, u², u³, times 6.
 _WEIGHTS = ((5.0, 3.0, -3.0, 1.0), (1.0, 3.0, 3.0, -2.0), (0.0, 0.0, 0.0, 1.0))
 
 
 @pytrees.register_pytree("control", "start", "step", "_steps")
-class BSpline:
+class BSpline(Generic[M]):
     """The cubic curve near control rotations or rigid motions at even times: two continuous derivatives.
 
     The curve follows its control points without going through them, lies near any four neighbours, and does
@@ -50,9 +52,7 @@ class BSpline:
     (array([3.5, 0. , 0. ]), array([2., 0., 0.]), 1.5)
     """
 
-    def __init__(
-        self, control: Rotation | RigidTransform, start: float = 0.0, step: float = 1.0
-    ) -> None:
+    def __init__(self, control: M, start: float = 0.0, step: float = 1.0) -> None:
         if not isinstance(control, Rotation | RigidTransform):
             raise DTypeError(hints.refusal(control, "control", "Rotation"))
         if control.ndim != 1 or len(control) < 4:
@@ -61,7 +61,8 @@ class BSpline:
             )
         if not 0.0 < step < float("inf"):
             raise RotationError(f"step {step!r}: a positive, finite time is expected")
-        self.control, self.start, self.step = control, start, step
+        self.control: M = control
+        self.start, self.step = start, step
         self._steps = control[1:].minus(control[:-1])
 
     @property
@@ -69,8 +70,14 @@ class BSpline:
         """The last time at which the curve is defined."""
         return self.start + (len(self.control) - 3) * self.step
 
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[0] = 0) -> M: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[1, 2]) -> Array: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: int) -> M | Array: ...
     @quiet
-    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
+    def __call__(self, times: ArrayLike, order: int = 0) -> M | Array:
         """Return the motions at times (…), or velocities (order 1) or accelerations (2) in the body's axes.
 
         Velocities (…, 3) are angular; of rigid motions (…, 6) they are twists, the angular velocity first,
@@ -108,7 +115,7 @@ class BSpline:
         return (motion, velocity, bend)[order]
 
 
-def _picked(control: Rotation | RigidTransform, n: Array) -> Rotation | RigidTransform:
+def _picked(control: M, n: Array) -> M:
     if isinstance(control, Rotation):
         return picked(control, n)
     return RigidTransform._of(taken(control._q, n), taken(control._t, n))

@@ -13,7 +13,7 @@ import math
 from functools import reduce
 from math import factorial
 from operator import add
-from typing import Any
+from typing import Literal, overload
 
 from rotation import pytrees
 from rotation.angles import waves
@@ -69,7 +69,13 @@ class RotationSpline:
         parts = (steps, *self._solved(steps), t[:-1, ...], t[1:, ...] - t[:-1, ...])
         self._pieces = namespace(steps).concat(parts, axis=-1)
 
-    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[0] = 0) -> Rotation: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: Literal[1, 2]) -> Array: ...
+    @overload
+    def __call__(self, times: ArrayLike, order: int) -> Rotation | Array: ...
+    def __call__(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
         """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in the axes of the body.
 
         Raises
@@ -80,7 +86,7 @@ class RotationSpline:
         return self.extended(self._keys._within(times), order)
 
     @quiet
-    def extended(self, times: ArrayLike, order: int = 0) -> Any:
+    def extended(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
         """Return the same; before the first and after the last keyframe their cubics go on."""
         if order not in (0, 1, 2):
             raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")

@@ -14,7 +14,7 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.memory import address, in_one_piece
 from hfield.compiling.threads import share
-from rotation.arrays import Array
+from rotation.array_types import Array
 from rotation.kernels import numpy_kernels
 from rotation.kernels.numpy_kernels import Name
 from rotation.kernels.strides import walk

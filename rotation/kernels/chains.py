@@ -12,7 +12,7 @@ import numpy as np
 
 from hfield.compiling import machine_code
 from hfield.compiling.instructions import module
-from rotation.arrays import Array
+from rotation.array_types import Array
 from rotation.coordinates import middling
 from rotation.kernels import numpy_kernels
 from rotation.native import builtins, tracing

@@ -7,8 +7,7 @@ import numpy as np
 
 from hfield.core.product import Constants, multiply
 from rotation.angles import waves
-from rotation.array_types import NUMPY
-from rotation.arrays import Array
+from rotation.array_types import NUMPY, Array
 
 Name = tuple[str, *tuple[bool | tuple[int, ...], ...]]  # of a kernel, then its parameters
 

@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Any, NamedTuple, TypeAlias, cast
+from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar, cast, overload
 
 import numpy as np
 
@@ -43,7 +43,20 @@ BYTES = {"double": 8, "float": 4}
 NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
 HALVES = vector("float", WIDTH)
 
-Function = Callable[..., Any]
+K = TypeVar("K")
+
+
+class Function(Protocol):
+    """A compiled function of arrays; None where it computes nothing."""
+
+    @overload
+    def __call__(self, where: None, /, *arrays: object) -> Array | None: ...
+    @overload
+    def __call__(self, where: type[K], /, *arrays: object) -> K | None: ...
+    @overload
+    def __call__(self, where: Array, /, *arrays: object) -> bool | None: ...
+
+
 Values: TypeAlias = "Lanes | float | tuple[Values, ...]"
 
 
@@ -71,7 +84,7 @@ def available() -> bool:
         return False
     probe, number = np.zeros((3, 5)), 0.75
 
-    def read(offset: int, kind: Any) -> int:
+    def read(offset: int, kind: type[ctypes.c_size_t] | type[ctypes.c_int]) -> int:
         return int(kind.from_address(id(probe) + offset).value)
 
     address = probe.__array_interface__["data"][0]
