@@ -34,7 +34,7 @@ def real(name: str, value: Any, *, above: float | None = None, least: float | No
     return number
 
 
-def one_of(name: str, value: Any, choices: Collection[str]) -> str:
+def one_of(name: str, value: object, choices: Collection[str]) -> str:
     """Return ``value``, which must be one of ``choices``."""
     if not isinstance(value, str) or value not in choices:
         raise AnimationError(f"{name} is {value!r}; expected one of {', '.join(choices)}")

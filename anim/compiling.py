@@ -13,20 +13,24 @@ from collections.abc import Callable, Sequence
 from ctypes import CFUNCTYPE, c_double, c_int64, c_void_p
 from pathlib import Path
 from types import FunctionType
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar, TypeVarTuple
 
 import numpy as np
 
 from hfield.compiling import machine_code
 from hfield.compiling.memory import address
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Callable[..., object])
+R = TypeVar("R")
+Arguments = TypeVarTuple("Arguments")
+Kind: TypeAlias = "str | tuple[Any, ...]"
+"""What machine code depends on of an argument: see `_kind`."""
 
 # FMA is allowed. Reassociation would change results, and assuming finite numbers would lose NaN, so
 # `fastmath=True` is out of the question. "numpy": a division by zero gives inf, no exception.
-OPTIONS: dict[str, Any] = {"fastmath": {"contract"}, "error_model": "numpy"}
+OPTIONS: dict[str, object] = {"fastmath": {"contract"}, "error_model": "numpy"}
 
-_called: dict[Callable[..., Any], bool] = {}  # whether numba knows it
+_called: dict[Callable[..., object], bool] = {}  # whether numba knows it
 _announce = machine_code.Announcer("hfield: compiling a loop by numba, once on this machine")
 
 
@@ -36,27 +40,28 @@ def called(function: F) -> F:
     return function
 
 
-class CompiledFunction:
+class CompiledFunction(Generic[*Arguments, R]):
     """A compiled function of contiguous arrays, numbers and tuples of these; it returns a float or None."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[[*Arguments], R]) -> None:
         assert isinstance(function, FunctionType)
-        self.plain = function
+        self.plain: FunctionType = function
         self.__doc__ = function.__doc__
-        self._entries: dict[tuple[Any, ...], Callable[..., Any]] = {}
+        self._entries: dict[tuple[Kind, ...], Callable[..., R]] = {}
 
-    def __call__(self, *arguments: Any) -> Any:
+    def __call__(self, *arguments: *Arguments) -> R:
         """Run the machine code for arguments of these kinds; without LLVM, the Python function."""
-        values: list[Any] = []
+        values: list[float] = []
         kinds = tuple([_kind(argument, values) for argument in arguments])
         entry = self._entries.get(kinds)
         if entry is None:
             if not machine_code.available():
-                return self.plain(*arguments)
+                found: R = self.plain(*arguments)
+                return found
             entry = self._entries[kinds] = self._linked(kinds)
         return entry(*values)
 
-    def _linked(self, kinds: tuple[Any, ...]) -> Callable[..., Any]:
+    def _linked(self, kinds: tuple[Kind, ...]) -> Callable[..., R]:
         files = sorted({part.__code__.co_filename for part in _parts(self.plain)})
         seen = [hashlib.sha256(Path(file).read_bytes()).hexdigest() for file in files]
         text = f"{self.plain.__qualname__} {kinds} {sorted(OPTIONS.items())} {seen}"
@@ -73,7 +78,7 @@ kernel = CompiledFunction
 _C = {"pointer": c_void_p, "int64": c_int64, "float64": c_double}
 
 
-def _kind(value: Any, values: list[Any]) -> Any:
+def _kind(value: Any, values: list[float]) -> Kind:
     """Return what machine code depends on, and append the numbers that are passed to it.
 
     The kind is ("u1", 2) for an array, "int64" or "float64" for a number, (class, …) for a tuple.
@@ -93,7 +98,7 @@ def _kind(value: Any, values: list[Any]) -> Any:
     return "int64"
 
 
-def _types(kind: Any) -> list[str]:
+def _types(kind: Kind) -> list[str]:
     if isinstance(kind, str):
         return [kind]
     if isinstance(kind[0], np.dtype):
@@ -105,7 +110,7 @@ def _returns(function: FunctionType) -> bool:
     return function.__annotations__["return"] in (float, "float")
 
 
-def _parts(function: Any) -> set[Any]:
+def _parts(function: FunctionType) -> set[FunctionType]:
     """Return a function and all that it calls."""
     found, waiting = set(), [function]
     while waiting:
@@ -119,7 +124,7 @@ def _parts(function: Any) -> set[Any]:
     return found
 
 
-def written(function: FunctionType, kinds: Sequence[Any]) -> str:
+def written(function: FunctionType, kinds: Sequence[Kind]) -> str:
     """Return a kernel for arguments of these kinds in LLVM's notation, by numba; its name is ``entry``."""
     from numba import carray, cfunc, njit, types
     from numba.extending import register_jitable
@@ -130,9 +135,9 @@ def written(function: FunctionType, kinds: Sequence[Any]) -> str:
             _called[part] = True
     names_of_entry = {"carray": carray, "kernel": njit(**OPTIONS)(function)}
     names: list[str] = []
-    signature: list[Any] = []
+    signature: list[object] = []
 
-    def taken(kind: Any) -> str:
+    def taken(kind: Kind) -> str:
         """Return code for an argument in terms of the machine words in which it is passed."""
         here = len(names)
         if isinstance(kind, str):

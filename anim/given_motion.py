@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from anim.errors import AnimationError
 from anim.film import FPS, Clip, clip
@@ -22,7 +22,13 @@ Floats = NDArray[np.float64]
 COLUMNS = {4: "w, x, y, z of a quaternion", 5: "seconds, then w, x, y, z"}
 
 
-def motion_of(source: Any, film: Clip | None = None) -> Motion:
+MotionSource: TypeAlias = (
+    Motion | Rotation | ArrayLike | Path | Callable[[float], "Rotation | ArrayLike"]
+)
+"""What describes a motion: see :func:`motion_of`; scipy's rotations are read too."""
+
+
+def motion_of(source: MotionSource, film: Clip | None = None) -> Motion:
     """Return the motion that ``source`` describes.
 
     ``source`` is
@@ -122,7 +128,7 @@ def read_motion(path: str | Path) -> Recorded:
 class Function:
     """A sampler that calls a function of one instant."""
 
-    function: Callable[[float], Any]
+    function: Callable[[float], object]
 
     def __call__(self, times: Floats) -> Floats:
         """Return the quaternions (n, 4), or matrices (n, 3, 3), at ``times`` (n,)."""
@@ -163,7 +169,7 @@ class Function:
         return np.asarray(normalised(array))
 
 
-def _quaternions(source: Any) -> Floats:
+def _quaternions(source: object) -> Floats:
     """Return unit quaternions (n, 4) of an array or of rotations."""
     if isinstance(source, Rotation) or is_scipys(source, "Rotation"):
         source = _of_rotation(source)
@@ -191,7 +197,7 @@ def _quaternions(source: Any) -> Floats:
     return np.asarray(normalised(q))
 
 
-def _of_rotation(value: Any) -> Floats:
+def _of_rotation(value: object) -> Floats:
     """Return the quaternions of a Rotation of this package or of scipy."""
     ours = value if isinstance(value, Rotation) else Rotation.from_scipy(value)
     return np.asarray(ours.as_quat(), dtype=np.float64)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import PolyCollection
@@ -54,7 +54,7 @@ def draw_in_axes(
     return picture
 
 
-def _surface(ax: Any, model: Model, rotation: Floats, tip: Floats) -> Surface3D:
+def _surface(ax: Axes3D, model: Model, rotation: Floats, tip: Floats) -> Surface3D:
     surface = Surface3D(model, rotation, tip)
     ax.add_collection(surface, autolim=False)
     ax.auto_scale_xyz(*rim_points(model, rotation[None], tip[None]).T)

@@ -5,13 +5,13 @@ That of the thesis (section 3.3), two cones joined by a band, is ``(radius, z)``
 are taken.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import hypot
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -112,7 +112,9 @@ class Model:
         for name, value in (("ring", ring), ("bands", bands), ("profile", profile)):
             object.__setattr__(self, name, value)
 
-    def __reduce__(self) -> tuple[Any, tuple[int, int, Profile]]:
+    def __reduce__(
+        self,
+    ) -> tuple[Callable[[int, int, Profile], "Model"], tuple[int, int, Profile]]:
         """Pickle the parameters alone, without the arrays computed from them."""
         return Model._of, (self.ring, self.bands, self.profile)
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from functools import lru_cache
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.film import Clip
-from anim.given_motion import motion_of
+from anim.given_motion import MotionSource, motion_of
 from anim.model import Model
 from anim.motion import Motion
 
@@ -47,7 +47,10 @@ class Top:
     """
 
     def __init__(
-        self, motion: Any = "quaternions", model: Model | None = None, clip: Clip | None = None
+        self,
+        motion: MotionSource = "quaternions",
+        model: Model | None = None,
+        clip: Clip | None = None,
     ) -> None:
         self.motion = motion_of(motion, clip)
         self.model = Model() if model is None else model

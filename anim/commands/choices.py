@@ -261,5 +261,5 @@ def _default_setup(
     return body, *story_of(body, free)
 
 
-def _without_none(values: dict[str, float | None]) -> dict[str, Any]:
+def _without_none(values: dict[str, float | None]) -> dict[str, float]:
     return {name: value for name, value in values.items() if value is not None}

@@ -4,8 +4,8 @@ p and q are q₁ and q₂ of the thesis, v the point. Of the functions, what the
 those of :mod:`rotation.thesis` on terms.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 from anim.ledger.counting import RING, takes
 from hfield.ledger.claim import Computed, ComputedResult
@@ -90,7 +90,7 @@ def work(points: int) -> tuple[int, int]:
 
     Of a frame: two rotations a point; or one a point, and the product of the two quaternions once.
     """
-    read: dict[str, Any] = {"cos": lambda x: x, "sin": lambda x: x}
+    read: dict[str, Callable[[Node], Node]] = {"cos": lambda x: x, "sin": lambda x: x}
     t = MultiplicationCounter()
     v = [t, t, t]
     code("rotationquaternion", **read)(t, v, code("rotationquaternion", **read)(t, v, v))

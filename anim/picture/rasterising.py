@@ -27,7 +27,7 @@ ROWS = 32
 
 def workspace(
     width: int, moments: int, triangles: int, pieces: int
-) -> tuple[Samples | Indices | Floats, ...]:
+) -> tuple[Samples, Samples, Samples, Indices, Indices, Indices, Floats]:
     """Return the working memory of :func:`paint` for a box of this width."""
     return (
         np.zeros((ROWS, width, 4), np.float32),

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from re import fullmatch
-from typing import Any
 
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
@@ -133,7 +132,7 @@ class RenderSettings:
             )
 
 
-def colour(name: str, value: Any) -> RGB:
+def colour(name: str, value: object) -> RGB:
     """Return a colour as 8-bit sRGB; ``name`` says in an error what it is the colour of."""
     if isinstance(value, str) and fullmatch("#[0-9a-fA-F]{6}", value):  # without matplotlib
         red, green, blue = bytes.fromhex(value[1:])
@@ -155,7 +154,7 @@ def colour(name: str, value: Any) -> RGB:
     return red, green, blue
 
 
-def _size(size: Any) -> tuple[int, int]:
+def _size(size: object) -> tuple[int, int]:
     sides = tuple(size) if isinstance(size, Iterable) and not isinstance(size, str) else ()
     if len(sides) != 2:
         raise AnimationError(f"size is {size!r}; expected (width, height) in pixels")
@@ -168,7 +167,7 @@ def _size(size: Any) -> tuple[int, int]:
     return width, height
 
 
-def _two(colours: Any) -> tuple[str, str]:
+def _two(colours: object) -> tuple[str, str]:
     values = tuple(colours) if isinstance(colours, (tuple, list)) else ()
     if len(values) != 2:
         raise AnimationError(f"colours is {colours!r}; expected two colours")

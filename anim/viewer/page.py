@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from html import escape
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from anim.errors import AnimationError
 from anim.outline import simplified
@@ -162,7 +162,7 @@ def _style(background: str | None) -> str:
     return style.replace("{{dark}}", paper["dark"])
 
 
-def _shape(model: Model) -> dict[str, Any]:
+def _shape(model: Model) -> dict[str, object]:
     """Return the profile of the top, its colours, and the index of the colour of each sector.
 
     As in pictures, the farthest point of a top of any size is 3 from its tip.
@@ -184,7 +184,7 @@ def _magnified(model: Model, places: ArrayLike) -> ArrayLike:
     return model.magnified * np.asarray(places, dtype=np.float64)
 
 
-def _live(top: HeavyTop | FreeTop) -> dict[str, Any]:
+def _live(top: HeavyTop | FreeTop) -> dict[str, object]:
     """Describe a heavy top at its launch, in the words of heavy_top.js and free_top.js."""
     from anim.physics import Contact, FreeTop
 

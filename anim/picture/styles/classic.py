@@ -6,7 +6,7 @@ The axes bring their own projection, which the top, its shadow and its trace the
 """
 
 from math import hypot
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,9 @@ from anim.picture.settings import RGB, RenderSettings
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
 from hfield.plotting import default_settings
+
+if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d import Axes3D
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -51,7 +54,7 @@ def axes_and_view(model: Model, settings: RenderSettings, paper: RGB) -> tuple[V
     return view_of(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
 
 
-def _set_up(axes: Any, model: Model, settings: RenderSettings, there: Floats) -> None:
+def _set_up(axes: "Axes3D", model: Model, settings: RenderSettings, there: Floats) -> None:
     """Set camera, limits, names and letters; one unit is as long on every axis."""
     from matplotlib.ticker import MaxNLocator
 
@@ -78,7 +81,7 @@ def _set_up(axes: Any, model: Model, settings: RenderSettings, there: Floats) ->
             axis.labelpad = size / 4
 
 
-def _fit(axes: Any, settings: RenderSettings, there: Floats) -> None:
+def _fit(axes: "Axes3D", settings: RenderSettings, there: Floats) -> None:
     """Place the axes so that their box and the leaning top fill the picture."""
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
@@ -93,7 +96,7 @@ def _fit(axes: Any, settings: RenderSettings, there: Floats) -> None:
     axes.set_position([*((scale * corner + shift) / size), *(side / size)])
 
 
-def view_of(axes: Any) -> View:
+def view_of(axes: "Axes3D") -> View:
     """Return the axes' projection into pixels from the lower left corner."""
     axes.apply_aspect()
     affine = axes.transData.get_matrix()
