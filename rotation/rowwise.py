@@ -90,7 +90,7 @@ class RowFormula:
         self._others: dict[Kinds, RowFormula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
-        self.function: builtins.Function = unmade
+        self.function: builtins.BuiltinFunction = unmade
         self._row: tuple[int, ...] = ()
         _made.append(self)
 
@@ -126,7 +126,7 @@ class RowFormula:
             flag = function(out, *straight) is True
         return out if out.ndim else out[()], flag
 
-    def _compiled(self) -> builtins.Function:
+    def _compiled(self) -> builtins.BuiltinFunction:
         """Return the machine code, or `unmade` where there can be none."""
         if not builtins.available():
             return unmade
@@ -155,7 +155,7 @@ class RowFormula:
             )
         return straight
 
-    def _shared(self, function: builtins.Function, arrays: list[Array], out: Array) -> bool:
+    def _shared(self, function: builtins.BuiltinFunction, arrays: list[Array], out: Array) -> bool:
         """Compute in blocks, shared by all threads."""
         rows = out.size // prod(self._row)
         flat = [

@@ -30,6 +30,7 @@ LAYERS = [
         "hfield.verdicts",
         "hfield.core.primality",
         "hfield.core.progress",
+        "hfield.core.sparse_rows",
         "hfield.core.straight_line",
         "hfield.rotation",
         "hfield.anim",

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.arrays import Index
     from hfield.orders.lattice import Order
     from hfield.polynomials.polynomial import Polynomials
+    from hfield.polynomials.roots import Roots
 
 L = TypeVar("L", bound=Scalar)  # an element of another ring
 Number: TypeAlias = int | float | Fraction | str
@@ -462,7 +463,11 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
 
     inv = inverse
 
-    def is_zero(self) -> Any:  # a bool, or an array of these
+    @overload
+    def is_zero(self: Quaternion[np.ndarray]) -> Any: ...
+    @overload
+    def is_zero(self) -> bool: ...
+    def is_zero(self) -> Any:
         """Return whether the quaternion is 0; of an array, which entries are, as a bool array."""
         return self._how.is_zero(self._stored)
 
@@ -717,7 +722,11 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
             raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
         return self._computed(analysis.sqrt(self.ring, self.algebra.constants, self.coordinates))
 
-    def roots(self, n: int) -> Any:  # Roots, of an array a Quaternion
+    @overload
+    def roots(self: Quaternion[np.ndarray], n: int) -> Any: ...
+    @overload
+    def roots(self, n: int) -> Roots: ...
+    def roots(self, n: int) -> Any:
         """Return all x with ``xⁿ = q``, as the :class:`Roots` of a polynomial.
 
         Of an array over RDF: an array of shape ``(n, *shape)`` of the roots on each entry's own axis. Raises

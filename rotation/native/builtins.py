@@ -46,7 +46,7 @@ HALVES = vector("float", WIDTH)
 K = TypeVar("K")
 
 
-class Function(Protocol):
+class BuiltinFunction(Protocol):
     """A compiled function of arrays; None where it computes nothing."""
 
     @overload
@@ -137,7 +137,7 @@ def compile_builtin(
     single: tuple[int, ...],
     words: tuple[str, ...],
     slot: object,
-) -> tuple[Function, Shape, int]:
+) -> tuple[BuiltinFunction, Shape, int]:
     """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
     ``where`` is None for a new array, or a class, for an object of it that holds that, read-only. The answer
