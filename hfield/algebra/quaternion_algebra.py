@@ -266,7 +266,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             )
         return self._element(coordinates)
 
-    def _of_rotation(self, x: SupportsQuaternions) -> Quaternion[E]:
+    def _of_rotation(self, x: SupportsQuaternions) -> Quaternion:
         """Return the unit quaternions of a rotation with scipy's method ``as_quat``."""
         if self.ring.is_exact or not is_hamilton(*self._here()):
             raise CoercionError(
@@ -444,7 +444,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             parts = [p * q for p, q in pairs] + parts[len(parts) // 2 * 2 :]
         return parts[0]
 
-    def element_array(self) -> Quaternion[E]:
+    def element_array(self) -> Quaternion:
         """Return all q⁴ elements over a finite ring as one array, in the order of :meth:`elements`.
 
         Raises :class:`NotFiniteError`, and :class:`TooLargeError` beyond 10⁸ elements.
@@ -777,7 +777,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             )
         return answer
 
-    def from_polar(self, modulus: object, axis: object, angle: object) -> Quaternion[E]:
+    def from_polar(self, modulus: object, axis: object, angle: object) -> Quaternion:
         """Return ``modulus·(cos(angle) + axis·sin(angle))``, the angle in radians (thesis 1.4.4).
 
         The axis is an element with square −1, or its three coordinates; over RDF all may be arrays. Raises

@@ -21,7 +21,7 @@ from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import primes
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Coordinates
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.fields.base.finite_places import Residue, ResiduePlace
 from hfield.fields.base.residue_polynomials import coefficients, residues
@@ -51,7 +51,6 @@ from hfield.orders.base_values import (
     NarrowRepresentatives,
     NumberT,
     Prime,
-    Quadruple,
     ShownIdeal,
     ThetaSeries,
     TrivialClassGroup,
@@ -83,8 +82,8 @@ class QuaternionBasis(NamedTuple, Generic[NumberT]):
     """
 
     constants: Constants[NumberT]
-    into: Callable[[Sequence[NumberT]], Quadruple[NumberT]]
-    back: Callable[[Sequence[NumberT]], Quadruple[NumberT]]
+    into: Callable[[Sequence[NumberT]], Coordinates[NumberT]]
+    back: Callable[[Sequence[NumberT]], Coordinates[NumberT]]
 
 
 class Counts(NamedTuple):
@@ -629,7 +628,7 @@ def degenerate(algebra: Parent) -> RingError:
     )
 
 
-def _as_it_is(coordinates: Sequence[NumberT]) -> Quadruple[NumberT]:
+def _as_it_is(coordinates: Sequence[NumberT]) -> Coordinates[NumberT]:
     w, x, y, z = coordinates
     return w, x, y, z
 
@@ -817,12 +816,12 @@ class NumberFieldIntegers:
         a, b = form.constants
         p, q, pq = fmpq(1, r), fmpq(1, s), fmpq(1, r * s)
 
-        def into(coordinates: Sequence[FieldElement]) -> Quadruple[FieldElement]:
+        def into(coordinates: Sequence[FieldElement]) -> Coordinates[FieldElement]:
             c0, c1, c2, c3 = coordinates
             w, x, y, z = form.forth((c0, c1, c2, c3))
             return w, x * p, y * q, z * pq
 
-        def back(coordinates: Sequence[FieldElement]) -> Quadruple[FieldElement]:
+        def back(coordinates: Sequence[FieldElement]) -> Coordinates[FieldElement]:
             w, x, y, z = coordinates
             return form.back((w, x * r, y * s, z * (r * s)))
 

@@ -39,9 +39,6 @@ ShownIdeal: TypeAlias = "int | Fraction | FractionalIdeal | FunctionFieldIdeal"
 class BaseNumber(product.Scalar, Protocol):
     """A number of the field of a base: a rational number of flint, or an element of a number field."""
 
-    def __add__(self, other: Self | int, /) -> Self: ...
-    def __sub__(self, other: Self | int, /) -> Self: ...
-    def __mul__(self, other: Self | int, /) -> Self: ...
     def __truediv__(self, other: Self | int, /) -> Self: ...
     def __rtruediv__(self, other: int, /) -> Self: ...
     def __pow__(self, exponent: int, /) -> Self: ...
@@ -64,9 +61,6 @@ NumberT = TypeVar("NumberT", bound=BaseNumber)
 NumberT_co = TypeVar("NumberT_co", bound=BaseNumber, covariant=True)
 IdealT = TypeVar("IdealT")
 IdealT_contra = TypeVar("IdealT_contra", contravariant=True)
-Coordinate = TypeVar("Coordinate")
-Quadruple: TypeAlias = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
-"""The coordinates of a quaternion."""
 
 
 class IdealClassGroup(Protocol[IdealT_contra]):

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, cast
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.product import conjugate, multiply, norm, trace
+from hfield.core.product import Coordinates, conjugate, multiply, norm, trace
 from hfield.core.properties import cached_property
 from hfield.errors import IndefiniteError, LatticeError, RingError, shorten
 from hfield.fields.base.ring import Ring
@@ -26,7 +26,7 @@ from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.base import RATIONAL_INTEGERS, Base, NumberFieldIntegers
-from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Quadruple, Rational
+from hfield.orders.base_values import BaseIdeal, BaseNumber, Prime, Rational
 from hfield.orders.kernels import Kernels
 from hfield.orders.polynomial_base import PolynomialBase
 
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.orders.base import TypedBase
 
-UNITS: list[Quadruple[int]] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
+UNITS: list[Coordinates[int]] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
 
 
 class AlgebraBasis:
@@ -118,7 +118,7 @@ class AlgebraBasis:
 
     # --- elements ----------------------------------------------------------------------------------
 
-    def parts(self, row: Sequence[Rational]) -> Quadruple[BaseNumber]:
+    def parts(self, row: Sequence[Rational]) -> Coordinates[BaseNumber]:
         """Return w, x, y, z, numbers of the field."""
         n, number = self.degree, self.base.element_of
         w, x, y, z = (number(row[k : k + n]) for k in range(0, self.size, n))
@@ -372,7 +372,7 @@ class AlgebraBasis:
         return self.base.is_totally_real and len(self.split_places) == 1
 
 
-def _scaled(q: Sequence[int], c: BaseNumber) -> Quadruple[BaseNumber]:
+def _scaled(q: Sequence[int], c: BaseNumber) -> Coordinates[BaseNumber]:
     w, x, y, z = q
     return w * c, x * c, y * c, z * c
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn, TypeGuard
 
-from hfield.core.product import Constants
+from hfield.core.product import Constants, Coordinates
 from hfield.errors import HFieldError, LatticeError, shorten
 from hfield.fields.function_fields.ideals import (
     FunctionFieldIdeal,
@@ -24,7 +24,7 @@ from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
-from hfield.orders.base_values import BaseNumber, Integer, Prime, Quadruple, TrivialClassGroup
+from hfield.orders.base_values import BaseNumber, Integer, Prime, TrivialClassGroup
 from hfield.orders.domains import PolynomialDomain
 from hfield.orders.polynomial_matrices import FractionMatrix
 from hfield.orders.validation import natural
@@ -131,11 +131,11 @@ class PolynomialBase:
             for some in ((a, t), (b,))
         )
 
-        def into(coordinates: Sequence[RationalFunction]) -> Quadruple[RationalFunction]:
+        def into(coordinates: Sequence[RationalFunction]) -> Coordinates[RationalFunction]:
             w, x, y, z = coordinates
             return w, x / r, y / s, z / (r * s)
 
-        def back(coordinates: Sequence[RationalFunction]) -> Quadruple[RationalFunction]:
+        def back(coordinates: Sequence[RationalFunction]) -> Coordinates[RationalFunction]:
             w, x, y, z = coordinates
             return w, x * r, y * s, z * (r * s)
 
