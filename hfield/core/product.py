@@ -29,24 +29,15 @@ class SupportsArithmetic(Protocol):
 
 
 class Scalar(SupportsArithmetic, Protocol):
-    """An element of a ring, which also takes ints."""
+    """An element of a ring, which also takes ints as left operands."""
 
-    def __add__(self, other: Self | int, /) -> Self:
-        """Return self + other."""
-
-    def __sub__(self, other: Self | int, /) -> Self:
-        """Return self − other."""
-
-    def __mul__(self, other: Self | int, /) -> Self:
-        """Return self·other."""
-
-    def __radd__(self, other: Self | int, /) -> Self:
+    def __radd__(self, other: int, /) -> Self:
         """Return other + self."""
 
-    def __rsub__(self, other: Self | int, /) -> Self:
+    def __rsub__(self, other: int, /) -> Self:
         """Return other − self."""
 
-    def __rmul__(self, other: Self | int, /) -> Self:
+    def __rmul__(self, other: int, /) -> Self:
         """Return other·self."""
 
 

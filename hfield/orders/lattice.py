@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, Self, TypeVar, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import Factors
-from hfield.core.product import Scalar
 from hfield.core.properties import cached_property
-from hfield.core.sparse_rows import SparseRows
+from hfield.core.sparse_rows import IntegerMultiple, SparseRows
 from hfield.errors import (
     IndefiniteError,
     LatticeError,
@@ -91,7 +90,7 @@ if TYPE_CHECKING:
     from hfield.orders.pseudo_bases import PseudoBasis
     from hfield.orders.rational_newforms import RationalNewform
 
-ValueT = TypeVar("ValueT", bound=Scalar)
+ValueT = TypeVar("ValueT", bound=IntegerMultiple)
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 

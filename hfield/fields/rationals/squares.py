@@ -13,6 +13,12 @@ from hfield.core.product import Scalar
 class RationalMultiples(Scalar, Protocol):
     """An element of a field that contains ℚ."""
 
+    def __add__(self, other: Self | int | Fraction, /) -> Self:
+        """Return self + other."""
+
+    def __sub__(self, other: Self | int | Fraction, /) -> Self:
+        """Return self − other."""
+
     def __mul__(self, other: Self | int | Fraction, /) -> Self:
         """Return self·other."""
 
