@@ -641,7 +641,11 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
 
     # --- modulus, exponential, roots -----------------------------------------------------------
 
-    def __abs__(self) -> E:
+    @overload
+    def __abs__(self: Quaternion[np.ndarray]) -> Any: ...
+    @overload
+    def __abs__(self) -> E: ...
+    def __abs__(self) -> object:
         """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); of an array elementwise.
 
         Over functions of angles it is the root that is positive where all angles are small and positive.
@@ -650,8 +654,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         rings without an ordering.
         """
         if self.is_batch and self.ring.is_exact:
-            moduli: E = self.ring.array([abs(q) for q in self.reshape(-1)]).reshape(self.shape)
-            return moduli
+            return self.ring.array([abs(q) for q in self.reshape(-1)]).reshape(self.shape)
         return analysis.modulus(self.ring, self.algebra.constants, self.coordinates)
 
     def unit(self) -> Quaternion[E]:

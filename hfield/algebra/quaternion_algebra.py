@@ -299,7 +299,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         text: str,
         *,
         names: Mapping[str, Quaternion[E]] | None = None,
-        functions: Mapping[str, Callable[..., object]] | None = None,
+        functions: Mapping[str, Callable[..., Quaternion]] | None = None,
     ) -> Quaternion[E]:
         """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
         ``conj norm trace inv scalar vector comm``; names and functions may be added. Raises
@@ -307,7 +307,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         """
         known = {name: self(x) for name, x in self.ring.names().items()}
         known |= dict(zip(BASIS, self.basis, strict=True)) | dict(names or {})
-        calls: dict[str, Callable[..., object]] = {
+        calls: dict[str, Callable[..., Quaternion]] = {
             "/": lambda x, y: x / y,
             "**": lambda x, n: x**n,
             "[]": lambda q, n: self.scalar(q.coordinates[n]),
@@ -327,7 +327,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
 
     def _lift(
         self, name: str, function: Callable[..., E] | syntax.OfTrees
-    ) -> Callable[..., object]:
+    ) -> Callable[..., Quaternion]:
         """Apply a function of the ring, such as sqrt, to scalar multiples of e."""
         if isinstance(function, syntax.OfTrees):
             return function.then(self.scalar)

@@ -41,6 +41,13 @@ class Scalar(SupportsArithmetic, Protocol):
         """Return other·self."""
 
 
+class IntegerMultiple(Scalar, Protocol):
+    """A scalar that ints multiply from the right too."""
+
+    def __mul__(self, other: Self | int, /) -> Self:
+        """Return self·other."""
+
+
 if TYPE_CHECKING:
     from typing_extensions import TypeVar
 

@@ -4,20 +4,12 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol, Self, TypeVar, overload
+from typing import TYPE_CHECKING, TypeVar, overload
 
-from hfield.core.product import Scalar
+from hfield.core.product import IntegerMultiple
 
 if TYPE_CHECKING:
     import numpy as np
-
-
-class IntegerMultiple(Scalar, Protocol):
-    """A value that integers multiply, from the right too."""
-
-    def __mul__(self, other: Self | int, /) -> Self:
-        """Return self·other."""
-
 
 V = TypeVar("V", bound=IntegerMultiple)
 

@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Self, TypeVar, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import Factors
+from hfield.core.product import IntegerMultiple
 from hfield.core.properties import cached_property
-from hfield.core.sparse_rows import IntegerMultiple, SparseRows
+from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
     IndefiniteError,
     LatticeError,
