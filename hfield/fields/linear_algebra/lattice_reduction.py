@@ -11,12 +11,13 @@ import itertools
 import math
 import random
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TypeVar
 
 import flint
 
-if TYPE_CHECKING:
-    from hfield.fields.base.ring import S
+from hfield.core.product import IntegerMultiple
+
+S = TypeVar("S", bound=IntegerMultiple)
 
 Integers = list[list[int]]
 
