@@ -32,11 +32,13 @@ OVER_FIELDS = ("(-1,sqrt(5)|QQ(sqrt(5)))", "(-1+s-s^2,1+3*s+s^2|QQ[s]/(s^3+s^2-2
 DEFINITE = ("QQ(sqrt(5))", "QQ(sqrt(17))", "QQ(sqrt(29))", "QQ[s]/(s^3-s^2-2*s+1)")
 
 NEWFORMS = (
-    (43, 1, 5),
-    (11, 3, 7),
-    (2, 45, 7),
-    (3, 16, 7),
-    ("(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", 5),
+    (43, 1, 5, 2),
+    (11, 3, 7, 2),
+    (2, 45, 7, 2),
+    (3, 16, 7, 2),
+    ("(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", 5, 2),
+    (7, 3, 5, 4),
+    (11, 1, 5, 6),
 )
 POLYNOMIALS = (
     ("GF(3)(t)", "t^3+2*t+1", 1),
@@ -63,9 +65,9 @@ def genuine() -> list[dict[str, Any]]:
     for name in DEFINITE:
         A = QuaternionAlgebra(name, -1, -1)
         found += [O.class_set().certificate for O in (A.maximal_order(), A.order(["i", "j"]))]
-    for algebra, level, norm in NEWFORMS:
+    for algebra, level, norm, weight in NEWFORMS:
         C = QuaternionAlgebra(algebra).eichler_order(level).class_set()
-        found.append(C.claim_of_newforms(norm=norm).certificate)
+        found.append(C.claim_of_newforms(weight, norm).certificate)
     for name, prime, level in POLYNOMIALS:
         A = QuaternionAlgebra.from_ramification(name, [prime, "inf"])
         O = A.eichler_order(level)

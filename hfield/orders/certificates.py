@@ -29,6 +29,7 @@ from hfield.checker.glossary import (
     MASS_OVER_FIELDS,
     MASS_OVER_POLYNOMIALS,
     NEW_FUNCTIONS,
+    NEW_FUNCTIONS_OF_WEIGHT,
     NORM,
     ORDER,
     SHIMIZU,
@@ -252,7 +253,7 @@ def of_newforms(
         f"{name}{{{'; '.join(about)}}}",
         data,
         BY_EIGENVECTORS,
-        assumes=(*of_classes.assumes, NEW_FUNCTIONS),
+        assumes=(*of_classes.assumes, NEW_FUNCTIONS if weight == "2" else NEW_FUNCTIONS_OF_WEIGHT),
         refusal=refusal,
     )
 

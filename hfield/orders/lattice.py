@@ -1732,8 +1732,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def claim_of_newforms(self, weight: int = 2, norm: int = 20) -> CertifiedClaim:
         """Return the newforms and their eigenvalues at primes of norm up to a bound, as a statement.
 
-        Its evidence is checked in weight 2, over ℚ and totally real fields of class number 1. Raises as
-        :meth:`newforms` does.
+        Its evidence is checked over ℚ in weights up to 100, and over totally real fields of class number 1 in
+        weight 2. Raises as :meth:`newforms` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> claim = QuaternionAlgebra(11).maximal_order().class_set().claim_of_newforms(norm=7)

@@ -1,22 +1,23 @@
-"""Certificates of newforms of weight 2: the ideals in the sums of Hecke operators and traces; eigenvectors.
+"""Certificates of newforms: the ideals in the sums of Hecke operators and traces; eigenvectors.
 
 The evidence of an orbit is an eigenvector with values in its field. Let g be the polynomial of the eigenvalue
 α of an operator T on the orbit, and h that of the other eigenvalues of T. Then (g(x) − g(T))/(x − T)·h(T)·u
-is an eigenvector at x = α, for every function u with h(T)·u ≠ 0. At least one of the functions that are 1 at
-one class and 0 at the others has this property.
+is an eigenvector at x = α, for every function u with h(T)·u ≠ 0. At least one function of a basis has this
+property. Functions have values that units of left orders fix, in a rational basis
+(:mod:`hfield.orders.weight_values`).
 """
 
 from __future__ import annotations
 
-from collections import Counter
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
-from itertools import count, islice
-from math import lcm
+from itertools import accumulate, count, islice
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
+from hfield.checker.orders.weights import MAX_WEIGHT
 from hfield.core.primality import is_prime
 from hfield.orders import certificates
 from hfield.orders.base_values import Prime
@@ -25,6 +26,7 @@ from hfield.orders.classes import Classes
 from hfield.orders.invariants import good_primes
 from hfield.orders.lattice_values import LatticeValue, multiple, product
 from hfield.orders.related_orders import overorders
+from hfield.orders.weight_values import WeightValues, padded
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -40,12 +42,14 @@ LEAST_MODULUS, MAX_MODULI = 10**9, 20
 def of_newforms(module: Module, norm: int) -> CertifiedClaim:
     """Return the Galois orbits of newforms, with eigenvalues at the good primes of norm up to a bound.
 
-    The primes of the operator that tells the newforms apart are added. The checker is not asked about other
-    weights than 2, polynomials, and fields whose class number is not 1.
+    The primes of the operator that tells the newforms apart are added. The checker is not asked about
+    polynomials, weights above 2 over other fields than ℚ, and fields whose class number is not 1.
     """
     refusal = None
-    if module.weight != 2:
-        refusal = "the checker knows newforms of weight 2 only"
+    if module.weight > MAX_WEIGHT:
+        refusal = f"the checker knows newforms of weights up to {MAX_WEIGHT}"
+    elif module.weight > 2 and module.base.degree > 1:
+        refusal = "the checker knows newforms of weights above 2 over QQ only"
     elif module.base.is_polynomial or module.base.class_generators:
         refusal = "the checker knows newforms over QQ and over number fields of class number 1"
     return _NewformEvidence(module, norm).claim(refusal)
@@ -57,7 +61,6 @@ class _NewformEvidence:
     def __init__(self, module: Module, norm: int) -> None:
         self.module, self.forms = module, module.newforms
         self.classes, self.ambient = module.classes, module.classes.ambient
-        self.size = len(self.classes)
         self.operator = dict(zip(*self.forms[0].operator, strict=True)) if self.forms else {}
         bad = {P for P, _ in module.level} | set(module.ramified)
         self.primes = [P for P in module.primes_up_to(norm) if P not in bad]
@@ -86,7 +89,6 @@ class _NewformEvidence:
             for P, _ in self.module.level
             for O in overorders(self.classes.order, P, 1)
         ]
-        equations = [Counter(j for j, _ in fibre) for _, fibres in above for fibre in fibres]
         return {
             "neighbours": neighbours,
             "above": [
@@ -94,9 +96,9 @@ class _NewformEvidence:
                 for O, fibres in above
             ],
             "operator": [self.operator.get(P, 0) for P in self.primes],
-            "modulus": self._modulus(equations),
+            "modulus": self._modulus([fibre for _, fibres in above for fibre in fibres]),
             "orbits": [
-                {"ring": f.field.data, "vector": [[int(c) for c in row] for row in v.tolist()]}
+                {"ring": f.field.data, "vector": v}
                 for f, v in zip(self.forms, vectors, strict=True)
             ],
         }
@@ -133,7 +135,7 @@ class _NewformEvidence:
         index = _volume(self.classes.order) / _volume(above)
         volumes = [_volume(larger.classes.lattice(n)) * index for n, _ in enumerate(larger.units)]
         found: list[dict[LatticeValue, Ideal]] = [{} for _ in larger.units]
-        for j in range(self.size):
+        for j in range(len(self.classes)):
             ideal = self.classes.lattice(j)
             n, row = larger.located(product(ideal, above), self.classes.norms[j])
             back = self.ambient.element(row).inverse()
@@ -143,90 +145,157 @@ class _NewformEvidence:
                 found[n].setdefault(multiple(ideal, c, "left"), (j, c))
         return [list(fibre.values()) for fibre in found]
 
-    # --- eigenvectors ------------------------------------------------------------------------------------
+    # --- functions ---------------------------------------------------------------------------------------
 
     @cached_property
-    def _matrix(self) -> fmpz_mat:
-        """The operator that distinguishes the newforms."""
-        entries = [0] * self.size**2
+    def values(self) -> WeightValues:
+        """The values of functions."""
+        return WeightValues(self.classes.order.algebra, self.module.weight)
+
+    @cached_property
+    def _bases(self) -> list[fmpq_mat]:
+        """For each class a basis of the values that units fix, in reduced echelon form."""
+        element = self.ambient.element
+        return [self.values.fixed(list(map(element, units[1:]))) for units in self._elements.units]
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        """The number of the first function of each class, in a basis; and the dimension."""
+        return [0, *accumulate(int(basis.nrows()) for basis in self._bases)]
+
+    @property
+    def size(self) -> int:
+        """The dimension of the functions."""
+        return self._starts[-1]
+
+    def _sum(self, ideals: Iterable[Ideal]) -> dict[int, fmpq_mat]:
+        """Return the sum of the values at some ideals: on values at each class, in its basis."""
+        found: dict[int, fmpq_mat] = {}
+        for j, c in ideals:
+            matrix = self._bases[j] * self.values.action(c)
+            found[j] = found[j] + matrix if j in found else matrix
+        return found
+
+    @cached_property
+    def _matrix(self) -> tuple[fmpz_mat, fmpz]:
+        """The operator that distinguishes the newforms, times an integer, and this integer."""
+        size, starts = self.size, self._starts
+        columns = [_pivots(basis) for basis in self._bases]
+        entries = [fmpq(0)] * size**2
         for P, c in self.operator.items():
-            for i, row in enumerate(self.classes.neighbours(P)):
-                for j, times in row.items():
-                    entries[i * self.size + j] += c * times
-        return fmpz_mat(self.size, self.size, entries)
+            scale = c * self.module.absolute_norm(P) ** (self.module.weight // 2 - 1)
+            for i, kept in enumerate(columns):
+                located = self._elements.neighbours(i, P) if kept else []
+                for j, matrix in self._sum(
+                    (j, self.ambient.element(x)) for j, x in located
+                ).items():
+                    for n, k in enumerate(kept, starts[i]):
+                        for m in range(matrix.nrows()):
+                            entries[n * size + starts[j] + m] += scale * matrix[m, k]
+        found: tuple[fmpz_mat, fmpz] = fmpq_mat(size, size, entries).numer_denom()
+        return found
+
+    # --- eigenvectors ------------------------------------------------------------------------------------
 
     @cached_property
     def _polynomial(self) -> fmpz_poly:
         """The product of the different factors of its characteristic polynomial."""
-        whole = fmpz_poly(self._matrix.charpoly())
+        matrix, den = self._matrix
+        coefficients = reversed(matrix.charpoly().coeffs())
+        whole = fmpz_poly([c // den**k for k, c in enumerate(coefficients)][::-1])
         return whole // whole.gcd(whole.derivative())
 
-    def _eigenvector(self, form: Newform) -> fmpz_mat:
-        """Return an eigenvector: for each class coefficients of powers of the generator of the field."""
-        g, T, d = form.polynomial, self._matrix, form.degree
+    def _eigenvector(self, form: Newform) -> list[list[int]]:
+        """Return an eigenvector: for each class the coordinates of a value, by powers of the generator."""
+        g, d = form.polynomial, form.degree
+        T, den = self._matrix
         images = (self._image(self._polynomial // g, i) for i in range(self.size))
         powers = [next(w for w in images if any(w.entries()))]
         for _ in range(1, d):
             powers.append(T * powers[-1])
-        krylov = fmpz_mat([[int(x) for x in v.entries()] for v in powers])
-        hankel = fmpz_mat([[int(g[m + 1 + k]) for k in range(d)] for m in range(d)])
-        values = (hankel * krylov).transpose()  # of each class, in powers of α
+        krylov = fmpq_mat([[fmpq(x, den**n) for x in v.entries()] for n, v in enumerate(powers)])
+        hankel = fmpq_mat([[int(g[m + 1 + k]) for k in range(d)] for m in range(d)])
+        values = (hankel * krylov).transpose()  # of each function, in powers of α
         modulus = fmpq_poly(g)
         first = next(row for row in values.tolist() if any(row))
         inverse = fmpq_poly(first).xgcd(modulus)[1]
         scale = fmpq_mat(
-            [_padded(fmpq_poly([0] * k + [1]) * inverse % modulus, d) for k in range(d)]
+            [padded(fmpq_poly([0] * k + [1]) * inverse % modulus, d) for k in range(d)]
         )
         alpha = sum((form.eigenvalue(P) * c for P, c in self.operator.items()), form.field(0))
         change, power = [], form.field(1)
         for _ in range(d):
             change.append(_coefficients(form, power))
             power = power * alpha
-        found = fmpq_mat(values) * scale * fmpq_mat(change)
-        return found.numer_denom()[0]
+        return self._expanded(values * scale * fmpq_mat(change))
+
+    def _expanded(self, vector: fmpq_mat) -> list[list[int]]:
+        """Return a multiple of a function with integral values, class by class."""
+        rows, d, width = vector.tolist(), vector.ncols(), self.values.dimension
+        found = list[fmpq]()
+        for basis, start, end in zip(self._bases, self._starts, self._starts[1:], strict=False):
+            if start < end:
+                found += (basis.transpose() * fmpq_mat(rows[start:end])).entries()
+            else:
+                found += [fmpq(0)] * (width * d)
+        number = width * d
+        whole = fmpq_mat(len(self.classes), number, found).numer_denom()[0]
+        return [list(map(int, row)) for row in whole.tolist()]
 
     def _image(self, h: fmpz_poly, i: int) -> fmpz_mat:
-        """Return the image of the function that is 1 at class i, 0 elsewhere, under h(T)."""
+        """Return a multiple of the image of a function of the basis under h(T)."""
+        T, den = self._matrix
         start = fmpz_mat(self.size, 1, [int(i == j) for j in range(self.size)])
         found = fmpz_mat(self.size, 1)
-        for c in reversed(h.coeffs()):
-            found = self._matrix * found + start * c
+        for k, c in enumerate(reversed(h.coeffs())):
+            found = T * found + start * (c * den**k)
         return found
 
-    def _rows(self, prime: Prime, vectors: list[fmpz_mat]) -> list[int]:
+    def _rows(self, prime: Prime, vectors: list[list[list[int]]]) -> list[int]:
         """Return classes at which a Hecke operator is to be given: some at which no eigenvector is 0."""
         if self.operator.get(prime):
-            return list(range(self.size))
+            return list(range(len(self.classes)))
         if not vectors:
             return [0]
         found, rest = list[int](), vectors
         while rest:
-            zeros = [
-                [v for v in rest if not any(v[i, k] for k in range(v.ncols()))]
-                for i in range(self.size)
-            ]
-            i = min(range(self.size), key=lambda i: len(zeros[i]))
+            zeros = [[v for v in rest if not any(v[i])] for i in range(len(self.classes))]
+            i = min(range(len(zeros)), key=lambda i: len(zeros[i]))
             found.append(i)
             rest = zeros[i]
         return found
 
-    def _modulus(self, equations: list[Counter[int]]) -> int:
+    def _modulus(self, fibres: list[list[Ideal]]) -> int:
         """Return a prime modulo which eigenvalues stay different, and equations independent."""
-        rows = [[row[j] for j in range(self.size)] for row in equations]
-        kinds, units = [norm.number for norm in self.classes.norms], self.classes.units
-        common = lcm(*units)
-        for kind in sorted(set(kinds)):  # functions of the norm
-            pairs = zip(kinds, units, strict=True)
-            rows.append([common // w if k == kind else 0 for k, w in pairs])
+        rows = [row for fibre in fibres for row in self._equations(self._sum(fibre))]
+        if self.module.weight == 2:
+            kinds, units = [norm.number for norm in self.classes.norms], self.classes.units
+            for kind in sorted(set(kinds)):  # functions of the norm
+                pairs = zip(kinds, units, strict=True)
+                rows.append([fmpq(1, w) if k == kind else fmpq(0) for k, w in pairs])
+        table = fmpq_mat(len(rows), self.size, [c for row in rows for c in row]).numer_denom()[0]
         whole = fmpz_poly([1])
         for f in self.forms:
             whole *= f.polynomial
         rank = self.size - whole.degree()
         for p in islice(filter(is_prime, count(LEAST_MODULUS)), MAX_MODULI):
             reduced = nmod_poly(whole.coeffs(), p)
-            if not reduced.gcd(reduced.derivative()).degree() and nmod_mat(rows, p).rank() == rank:
+            if not reduced.gcd(reduced.derivative()).degree() and nmod_mat(table, p).rank() == rank:
                 return p
         raise AssertionError("the newforms do not have the dimension of the new functions")
+
+    def _equations(self, sums: dict[int, fmpq_mat]) -> Iterator[list[fmpq]]:
+        """Yield the equations that a sum of values is 0, on coordinates of functions."""
+        for k in range(self.values.dimension):
+            row = [fmpq(0)] * self.size
+            for j, matrix in sums.items():
+                for m, n in enumerate(range(self._starts[j], self._starts[j + 1])):
+                    row[n] = matrix[m, k]
+            yield row
+
+
+def _pivots(basis: fmpq_mat) -> list[int]:
+    return [next(k for k, c in enumerate(row) if c) for row in basis.tolist()]
 
 
 def _volume(lattice: LatticeValue) -> Fraction:
@@ -236,9 +305,4 @@ def _volume(lattice: LatticeValue) -> Fraction:
 
 def _coefficients(form: Newform, x: Any) -> list[fmpq]:
     """Return the coefficients of the powers of the generator of the field."""
-    return [fmpq(x)] if form.degree == 1 else _padded(x.poly, form.degree)
-
-
-def _padded(x: fmpq_poly, d: int) -> list[fmpq]:
-    found: list[fmpq] = x.coeffs()
-    return found + [fmpq(0)] * (d - len(found))
+    return [fmpq(x)] if form.degree == 1 else padded(x.poly, form.degree)

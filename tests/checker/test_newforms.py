@@ -1,32 +1,39 @@
 """Certificates of newforms: true ones are accepted, and forged forms, ideals and fields are not."""
 
 import copy
+import random
 import re
+from collections.abc import Iterator
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.glossary import MASS, NEW_FUNCTIONS
+from hfield.checker.check import check
+from hfield.checker.glossary import MASS, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT
+from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import established, rejects
-from tests.subcases import first_quick
+from tests.subcases import first_quick, subcases
 
 GOLDEN = "QQ(sqrt(5))"
 
 
 @cache
-def _certificate(algebra: int | str, level: int | str, norm: int) -> Certificate:
+def _certificate(algebra: int | str, level: int | str, norm: int, weight: int) -> Certificate:
     A = QuaternionAlgebra(algebra)
-    found = A.eichler_order(level).class_set().claim_of_newforms(norm=norm).certificate
+    found = A.eichler_order(level).class_set().claim_of_newforms(weight, norm).certificate
     assert found is not None
     return found
 
 
-def certificate(algebra: int | str, level: int | str = 1, norm: int = 5) -> Certificate:
+def certificate(
+    algebra: int | str, level: int | str = 1, norm: int = 5, weight: int = 2
+) -> Certificate:
     """A copy of a certificate, which may be forged."""
-    return copy.deepcopy(_certificate(algebra, level, norm))
+    return copy.deepcopy(_certificate(algebra, level, norm, weight))
 
 
 def orbits_of(data: Certificate) -> str:
@@ -77,14 +84,136 @@ def test_orbits_of_level_389() -> None:
 
 
 def test_where_there_is_none() -> None:
-    C = QuaternionAlgebra(11).maximal_order().class_set()
-    assert C.claim_of_newforms(weight=4).why_no_certificate == (
-        "the checker knows newforms of weight 2 only"
-    )
+    icosians = QuaternionAlgebra(GOLDEN, -1, -1).maximal_order().class_set()
+    reason = icosians.claim_of_newforms(weight=6, norm=5).why_no_certificate
+    assert reason == "the checker knows newforms of weights above 2 over QQ only"
     K = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order().class_set()
     P = QuaternionAlgebra.from_text("[1,t^3+t+1|GF(2)(t))").eichler_order("t").class_set()
     for classes in (K, P):
         assert "class number 1" in str(classes.claim_of_newforms(norm=5).why_no_certificate)
+
+
+# --- weights above 2 ------------------------------------------------------------------------------------
+
+
+def eta_product(exponents: dict[int, int], size: int) -> list[int]:
+    """The coefficients of q, q², … in ∏ η(d·z)^r, where Σ d·r = 24."""
+    found = [1] + [0] * size
+    for d, r in exponents.items():
+        for n in range(d, size + 1, d):
+            for _ in range(r):
+                for k in range(size, n - 1, -1):
+                    found[k] -= found[k - n]
+    return found[:size]
+
+
+@pytest.mark.parametrize(
+    ("discriminant", "level", "weight", "exponents"),
+    [
+        (5, 1, 4, {1: 4, 5: 4}),
+        (2, 3, 4, {1: 2, 2: 2, 3: 2, 6: 2}),
+        (3, 1, 6, {1: 6, 3: 6}),
+        (2, 1, 8, {1: 8, 2: 8}),
+    ],
+)
+def test_products_of_eta_functions(
+    discriminant: int, level: int, weight: int, exponents: dict[int, int]
+) -> None:
+    """Each is the only newform of its level and weight."""
+    data = certificate(discriminant, level, 13, weight)
+    expected = eta_product(exponents, 13)
+    primes = [p for p in (2, 3, 5, 7, 11, 13) if discriminant * level % p]
+    assert orbits_of(data) == "QQ: " + ",".join(str(expected[p - 1]) for p in primes)
+    assert established(data).theorems == (MASS, NEW_FUNCTIONS_OF_WEIGHT)
+
+
+@subcases(
+    "algebra, level, weight, orbits",
+    [
+        (11, 1, 4, "QQ[s]/(s^2-3): 1+s,-1-4*s,1+8*s"),  # 11.4.a.a, where s is √3
+        (2, 9, 4, "QQ: -6"),  # where T_5 has this eigenvalue once
+        (13, 1, 4, "QQ: -5,-7,-7 | QQ[s]/(s^2-s-4): 1-s,1+3*s,-1-s"),
+        ("[-3,-2/5|QQ)", 1, 8, "QQ: 12,-210"),  # where i² = −3 + i
+    ],
+)
+def test_other_weights(algebra: int | str, level: int, weight: int, orbits: str) -> None:
+    data = certificate(algebra, level, 5, weight)
+    assert orbits_of(data) == orbits
+    assert established(data).verdict == "proved"
+
+
+def test_forged_values() -> None:
+    """Values that units change, that are not new, and those of other weights."""
+    data = certificate(2, 3, 7, 4)  # one class, with twelve units modulo ±1
+    data["evidence"]["orbits"][0]["vector"][0][0] += 1
+    rejects(data, "unit of a left order changes")
+    data = certificate(7, 3, 5, 4)
+    data["evidence"]["orbits"].pop()
+    rejects(restated(data, orbits_of(data).rpartition(" | ")[0]), "add up")
+    data = certificate(11, weight=4)
+    for text in ("6", "2", "5", "0", "102"):
+        rejects({**data, "statement": data["statement"].replace("; 4; 2,", f"; {text}; 2,")})
+    rejects({**data, "assumes": [MASS, NEW_FUNCTIONS]}, "assumes")
+    vector = data["evidence"]["orbits"][0]["vector"]
+    for change in ([[0] * 6] * 2, [*vector, vector[0]], [row[:5] for row in vector]):
+        data["evidence"]["orbits"][0]["vector"] = change
+        rejects(data)
+
+
+# --- a change at any place -------------------------------------------------------------------------------
+
+
+def places(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """The paths to all numbers of some evidence."""
+    entries = value.items() if isinstance(value, dict) else enumerate(value)
+    for key, entry in entries:
+        if isinstance(entry, dict | list):
+            yield from places(entry, (*path, key))
+        elif isinstance(entry, int) or entry.lstrip("-").replace("/", "").isdigit():
+            yield (*path, key)
+
+
+def with_another_number(data: Certificate, path: tuple[str | int, ...]) -> Certificate:
+    """A copy in which the number at a place is larger by 1."""
+    forged = copy.deepcopy(data)
+    inner: Any = forged["evidence"]
+    for key in path[:-1]:
+        inner = inner[key]
+    x = inner[path[-1]]
+    inner[path[-1]] = x + 1 if isinstance(x, int) else str(Fraction(x) + 1)
+    return forged
+
+
+KINDS = [(7, 3, 5, 4)]
+
+
+def check_changes(algebra: int | str, level: int | str, norm: int, weight: int, each: int) -> None:
+    """Change so many numbers of each field of a certificate, one at a time."""
+    data = certificate(algebra, level, norm, weight)
+    fields: dict[tuple[str, ...], list[tuple[str | int, ...]]] = {}
+    for path in places(data["evidence"]):
+        if path[0] != "operator":  # another combination is as good
+            fields.setdefault(tuple(k for k in path if isinstance(k, str)), []).append(path)
+    assert len(fields) > 6
+    rng = random.Random(1)
+    for paths in fields.values():
+        for path in rng.sample(paths, min(each, len(paths))):
+            with pytest.raises(Rejected):
+                check(with_another_number(data, path))
+    orbits = orbits_of(data)
+    for m in list(re.finditer(r"\d+", orbits))[:each]:
+        rejects(restated(data, orbits[: m.start()] + str(int(m[0]) + 1) + orbits[m.end() :]))
+
+
+@subcases("algebra, level, norm, weight", KINDS)
+def test_some_numbers_changed(algebra: int | str, level: int | str, norm: int, weight: int) -> None:
+    check_changes(algebra, level, norm, weight, 2)
+
+
+@pytest.mark.slow
+@subcases("algebra, level, norm, weight", KINDS)
+def test_each_number_changed(algebra: int | str, level: int | str, norm: int, weight: int) -> None:
+    check_changes(algebra, level, norm, weight, 10**6)
 
 
 # --- eigenvectors and orbits --------------------------------------------------------------------------

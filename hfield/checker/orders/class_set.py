@@ -67,6 +67,25 @@ def divided_by_least(
 
     The index is the number of ±x with the same x⁻¹·I and the same N(x)/νu.
     """
+    found = _least(units, ideal, scale)
+    return {key for key, _ in found}, sum(map(len, found.values())) // len(found)
+
+
+def left_units(units: Sequence[Number], ideal: Lattice, scale: Number) -> list[Row]:
+    """Return the units of the left order of I, modulo those of the field and up to rational factors.
+
+    They are the y·x⁻¹ for the ±y that have the lattice y⁻¹·I and N(y)/νu in common with one x.
+    """
+    algebra = ideal.algebra
+    rows = times(next(iter(_least(units, ideal, scale).values())), ideal.rows)
+    ideal.pay(2)
+    return times(rows, algebra.right(algebra.conjugate(rows[0])))
+
+
+def _least(
+    units: Sequence[Number], ideal: Lattice, scale: Number
+) -> dict[tuple[Key, Row], list[Row]]:
+    """Return the ±x of least value, by x⁻¹·I and N(x)/νu."""
     integers = ideal.algebra.integers
     # 1/u differs from u by a square
     parts = [integers.coordinates(integers.field.mul(scale, u)) for u in units]
@@ -81,11 +100,11 @@ def divided_by_least(
                 found, least = [], value
             if value == least:
                 found.append((x, c))
-    images = set()
+    images: dict[tuple[Key, Row], list[Row]] = {}
     for x, c in found:
         norm = ideal.norm_of(x)
-        images.add((_divided(ideal, x, norm), integers.mul(norm, c)))
-    return {key for key, _ in images}, len(found) // len(images)
+        images.setdefault((_divided(ideal, x, norm), integers.mul(norm, c)), []).append(x)
+    return images
 
 
 def _divided(ideal: Lattice, x: Row, norm: Row) -> Key:

@@ -1,8 +1,10 @@
-"""Newforms of weight 2: eigenvectors of Hecke operators on functions on the right ideal classes of an order.
+"""Newforms: eigenvectors of Hecke operators on functions on the right ideals of an order.
 
 Let O be an Eichler order of level N in a totally definite algebra of discriminant D. The value of T_P·f at I
 is the sum of f(J) over the right ideals J in I of relative norm P, of which there are N(P) + 1 where P does
-not divide D·N. A function f is new if it is orthogonal to functions of the norm, and if its trace to each
+not divide D·N. In weight 2 the values are numbers and f(c·I) = f(I). In weight k over ℚ they lie in a
+representation (:mod:`hfield.checker.orders.weights`), f(c·I) = c·f(I), and T_p has the factor p^(k/2−1). A
+function f is new if it is orthogonal to functions of the norm, in weight 2, and if its trace to each
 order O′ in which O has prime index vanishes: the sum of f(J) over the J with J·O′ = L, for each right ideal L
 of O′. At a prime of the level there are two such orders.
 
@@ -13,26 +15,36 @@ eigenvectors and their conjugates, they are independent. They span the new funct
 dimension; equations modulo a prime give an upper bound of it (docs/explanation/trust.md).
 """
 
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import accumulate
 from math import lcm
+from operator import add
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
-from hfield.checker.glossary import BY_EIGENVECTORS, FIELD, NEW_FUNCTIONS
+from hfield.checker.glossary import BY_EIGENVECTORS, FIELD, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.ideals import times_primes
 from hfield.checker.number_fields.integers import RATIONAL_FIELD, Prime, coefficients, integer_row
-from hfield.checker.number_fields.matrices import Key, hermite, times
-from hfield.checker.number_fields.modular import echelon
-from hfield.checker.orders.class_set import need_class_set
-from hfield.checker.orders.lattice import Lattice
+from hfield.checker.number_fields.matrices import (
+    Key,
+    Rows,
+    hermite,
+    longest,
+    times,
+    transposed,
+    unit,
+)
+from hfield.checker.number_fields.modular import echelon, kernel
+from hfield.checker.orders.class_set import left_units, need_class_set
+from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.reading import OverField, OverQ
 from hfield.checker.orders.texts import a_whole_number, orbits_of
+from hfield.checker.orders.weights import Values
 from hfield.checker.rejection import a_list, an_integer, an_object, reject, shown
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.finite import gcd_modulo, is_prime
@@ -40,17 +52,23 @@ from hfield.checker.scalars.number_fields import Element as Number
 from hfield.checker.scalars.number_fields import NumberField
 from hfield.checker.scalars.rationals import QQ
 
-Row = Mapping[int, int]
-"""How many ideals of a list lie in which class."""
+
+@dataclass(frozen=True)
+class Sum:
+    """The sum of the values of a function at some ideals, times ``den``: Σ f(Iⱼ)·Mⱼ, Mⱼ by j."""
+
+    den: int
+    blocks: Mapping[int, Rows]
+    bits: int
+    """The bit length of the longest entry."""
 
 
 def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResult:
-    """Check that these are the Galois orbits of newforms of weight 2, with eigenvalues at some primes."""
-    if a_whole_number(parts[1], "a weight") != 2:
-        reject("newforms are checked in weight 2")
+    """Check that these are the Galois orbits of newforms of a weight, with eigenvalues at some primes."""
+    values = Values(given.algebra, a_whole_number(parts[1], "a weight"))
     if given.class_number != 1:
         reject("newforms are checked over fields of class number 1")
-    functions = FunctionsOnClasses(given, given.order(parts[0]))
+    functions = FunctionsOnClasses(given, given.order(parts[0]), values)
     primes, data = given.primes_named(parts[2]), given.data
     rows = functions.hecke_rows(primes, data["neighbours"])
     weights = [an_integer(c, "a coefficient") for c in a_list(data["operator"], "the operator")]
@@ -59,32 +77,37 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
     if any(c and len(own) < functions.size for c, own in zip(weights, rows, strict=True)):
         reject("an operator that tells newforms apart is given at all classes")
     equations = functions.equations(data["above"])
-    orbits = list(_orbits(parts[3], data["orbits"], functions.size, len(primes)))
+    orbits = list(_orbits(parts[3], data["orbits"], functions, len(primes)))
     for orbit in orbits:
+        orbit.need_invariant(functions.actions)
         orbit.need_new(equations)
-        for own, a in zip(rows, orbit.eigenvalues, strict=True):
-            orbit.need_eigenvalue(own, a)
+        for P, own, a in zip(primes, rows, orbit.eigenvalues, strict=True):
+            orbit.need_eigenvalue(own, a, P.norm**values.degree)
     p = an_integer(data["modulus"], "a prime number", 2)
     if not is_prime(p):
         reject("the modulus is no prime number")
-    spend(len(equations) * functions.size)
-    table = [[row.get(j, 0) for j in range(functions.size)] for row in equations]
-    if sum(orbit.field.degree for orbit in orbits) != functions.size - len(echelon(table, p)):
+    if sum(orbit.field.degree for orbit in orbits) != functions.dimension(equations, p):
         reject("the degrees of the orbits do not add up to the dimension of the new functions")
     _need_different([orbit.characteristic(weights) for orbit in orbits], p)
-    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem, NEW_FUNCTIONS)
-    return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites)
+    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
+    newforms = NEW_FUNCTIONS_OF_WEIGHT if values.degree else NEW_FUNCTIONS
+    return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites, newforms)
 
 
 class FunctionsOnClasses:
-    """The functions on the right ideal classes of an Eichler order, one ideal of each class being given."""
+    """The functions on the right ideals of an Eichler order, one ideal of each class being given."""
 
-    def __init__(self, given: OverQ | OverField, order: Lattice) -> None:
-        self.given, self.order = given, order
+    def __init__(self, given: OverQ | OverField, order: Lattice, values: Values) -> None:
+        self.given, self.order, self.values = given, order, values
         classes = list(given.classes(a_list(given.data["classes"], "classes", 1)))
         self.units = need_class_set(order, classes, given.divided, given.mass(order))
         self.ideals, self.kinds = [x for x, _, _ in classes], [kind for _, _, kind in classes]
         self.size = len(classes)
+        self.actions: list[list[tuple[Rows, int]]] = [[] for _ in classes]
+        """For each class, how the units of the left order act on values; 1 is left out."""
+        if values.degree:
+            for own, (ideal, scale, _) in zip(self.actions, classes, strict=True):
+                own += map(values.action, left_units(given.units, ideal, scale)[1:])
         self._symbols = symbols(order, given.primes)
         self.level = self._level()
 
@@ -103,23 +126,36 @@ class FunctionsOnClasses:
 
     def _ideals(
         self, entries: object, inside: Lattice, number: int, volume: Fraction, norm: Key | None
-    ) -> Row:
-        """Read so many different right ideals in a lattice, as classes: pairs of a class and an element."""
-        found: Counter[int] = Counter()
-        known = set()
+    ) -> Sum:
+        """Read so many different right ideals in a lattice, as pairs of a class and an element."""
+        found, known = list[tuple[int, LatticeElement]](), set()
         for entry in a_list(entries, "ideals"):
-            j, ideal = self._ideal(entry)
+            j, c, ideal = self._ideal(entry)
             if not inside.holds(ideal.den, ideal.rows):
                 reject("an ideal does not lie where it should")
             if ideal.volume != volume or norm not in (None, ideal.norm):
                 reject("an ideal has another norm than it should")
             known.add(ideal.key)
-            found[j] += 1
-        if len(known) != number or found.total() != number:
+            found.append((j, c))
+        if len(known) != number or len(found) != number:
             reject(f"{number} different ideals are expected")
-        return found
+        return self._sum(found)
 
-    def _ideal(self, entry: object) -> tuple[int, Lattice]:
+    def _sum(self, ideals: Sequence[tuple[int, LatticeElement]]) -> Sum:
+        """Return the sum of the values at some ideals c·Iⱼ: f(c·I) is f(I) on which c acts."""
+        width = self.values.dimension
+        terms = [(j, *self.values.action(c.row)) for j, c in ideals]
+        den = lcm(*(scale for _, _, scale in terms))
+        blocks: dict[int, list[list[int]]] = {}
+        spend(len(terms) * width**2 * (1 + den.bit_length() // 1_000))
+        for j, matrix, scale in terms:
+            own = blocks.setdefault(j, [[0] * width for _ in range(width)])
+            for total, row in zip(own, matrix, strict=True):
+                total[:] = [x + den // scale * y for x, y in zip(total, row, strict=True)]
+        whole = {j: tuple(map(tuple, own)) for j, own in blocks.items()}
+        return Sum(den, whole, longest(row for own in whole.values() for row in own))
+
+    def _ideal(self, entry: object) -> tuple[int, LatticeElement, Lattice]:
         """Read ``[j, c]``: the ideal c·I of class j."""
         pair = a_list(entry, "an ideal", 2)
         j, c = an_integer(pair[0], "a class", 0), self.given.element(pair[1])
@@ -127,18 +163,18 @@ class FunctionsOnClasses:
             reject("an ideal is the number of a class and an element other than 0")
         ideal = self.ideals[j].times(c, "left")
         _ = ideal.key  # of full rank
-        return j, ideal
+        return j, c, ideal
 
-    def hecke_rows(self, primes: Sequence[Prime], value: object) -> list[dict[int, Row]]:
+    def hecke_rows(self, primes: Sequence[Prime], value: object) -> list[dict[int, Sum]]:
         """Read the rows of Hecke operators: for each prime, pairs of a class and the ideals in it."""
         tables = a_list(value, "neighbours")
         if len(tables) != len(primes) or not primes:
             reject("there are neighbours for each prime, one at least")
-        found: list[dict[int, Row]] = []
+        found: list[dict[int, Sum]] = []
         for P, table in zip(primes, tables, strict=True):
             if P in [Q for Q, _ in self._symbols]:
                 reject("a prime divides the discriminant of the order")
-            rows: dict[int, Row] = {}
+            rows: dict[int, Sum] = {}
             for entry in a_list(table, "neighbours", 1):
                 pair = a_list(entry, "a row", 2)
                 i = an_integer(pair[0], "a class", 0)
@@ -151,13 +187,42 @@ class FunctionsOnClasses:
             found.append(rows)
         return found
 
-    def equations(self, value: object) -> list[Row]:
+    def dimension(self, equations: Sequence[Sum], p: int) -> int:
+        """Return a bound of the dimension of the functions that satisfy equations, from those modulo p."""
+        width = self.values.dimension
+        bases = [self._fixed(own, p) for own in self.actions]
+        starts = [0, *accumulate(map(len, bases))]
+        spend(len(equations) * width * starts[-1])
+        table: list[list[int]] = []
+        for equation in equations:
+            rows = [[0] * starts[-1] for _ in range(width)]
+            for j, matrix in equation.blocks.items():
+                spend(len(bases[j]) * width**2 * (1 + equation.bits // 1_000))
+                for n, value in enumerate(times(bases[j], matrix), starts[j]):
+                    for row, c in zip(rows, value, strict=True):
+                        row[n] = c % p
+            table += rows
+        return starts[-1] - len(echelon(table, p))
+
+    def _fixed(self, actions: Sequence[tuple[Rows, int]], p: int) -> Sequence[Sequence[int]]:
+        """Return a basis of the values that units fix, modulo p."""
+        width = self.values.dimension
+        if not actions:
+            return [unit(width, n) for n in range(width)]
+        wide = [
+            [c - scale * int(k == n) for matrix, scale in actions for k, c in enumerate(matrix[n])]
+            for n in range(width)
+        ]
+        return kernel(wide, p)
+
+    def equations(self, value: object) -> list[Sum]:
         """Read the linear equations of new functions, by the orders of which this one has prime index."""
         common = lcm(*self.units)
-        found: list[Row] = [
-            {n: common // self.units[n] for n, k in enumerate(self.kinds) if k == kind}
-            for kind in sorted(set(self.kinds))
-        ]
+        found: list[Sum] = []
+        for kind in sorted(set(self.kinds)) if not self.values.degree else ():
+            own = [n for n, k in enumerate(self.kinds) if k == kind]
+            blocks = {n: ((common // self.units[n],),) for n in own}
+            found.append(Sum(1, blocks, common.bit_length()))
         primes: list[Prime] = []
         larger = set()
         for entry in a_list(value, "the orders above"):
@@ -194,17 +259,17 @@ class FunctionsOnClasses:
                 return P
         reject("an order above has no prime index at a prime of the level")
 
-    def _traces(self, above: Lattice, P: Prime, values: Sequence[object]) -> Iterator[Row]:
+    def _traces(self, above: Lattice, P: Prime, values: Sequence[object]) -> Iterator[Sum]:
         """Yield the sums over the ideals J with J·O′ = L, for an L of each class."""
         in_level = P in [Q for Q, _ in symbols(above, self.given.primes)]
         number = P.norm if in_level else P.norm + 1
         classes: set[int] = set()
         for value in values:
             entries = a_list(value, "ideals", 1)
-            _, first = self._ideal(entries[0])
+            _, _, first = self._ideal(entries[0])
             generated = _product(first, above)
             row = self._ideals(entries, generated, number, first.volume, None)
-            classes |= row.keys()
+            classes |= row.blocks.keys()
             yield row
         if len(classes) != self.size:
             reject("a class lies in no ideal of an order above")
@@ -227,28 +292,50 @@ class Orbit:
 
     field: NumberField
     eigenvalues: list[Number]
-    vector: list[tuple[int, ...]]
+    vector: list[Rows]
+    """For each class and each power of the generator of the field a value, a row."""
+    bits: int
+    """The bit length of its longest entry."""
 
-    def _sum(self, row: Row) -> list[int]:
-        """Return a combination of the values."""
-        spend(len(row) * self.field.degree)
-        return [
-            sum(c * self.vector[j][k] for j, c in row.items()) for k in range(self.field.degree)
-        ]
+    def _at(self, row: Sum) -> list[list[int]]:
+        """Return a sum of values."""
+        found = [[0] * len(value) for value in self.vector[0]]
+        for j, matrix in row.blocks.items():
+            self._pay(matrix, row.bits)
+            for total, part in zip(found, times(self.vector[j], matrix), strict=True):
+                total[:] = map(add, total, part)
+        return found
 
-    def need_new(self, equations: Sequence[Row]) -> None:
+    def _pay(self, matrix: Rows, bits: int) -> None:
+        """Spend the cost of applying a matrix to a value."""
+        cost = 1 + (self.bits + bits) // 1_000 + self.bits * bits // 500_000
+        spend(self.field.degree * len(matrix) ** 2 * cost)
+
+    def need_invariant(self, actions: Sequence[Sequence[tuple[Rows, int]]]) -> None:
+        """Reject values that units of left orders change."""
+        for value, own in zip(self.vector, actions, strict=True):
+            for matrix, scale in own:
+                self._pay(matrix, longest(matrix))
+                if times(value, matrix) != [tuple(scale * c for c in row) for row in value]:
+                    reject("a unit of a left order changes a value of an eigenvector")
+
+    def need_new(self, equations: Sequence[Sum]) -> None:
         """Reject a function that is not new."""
-        if any(any(self._sum(row)) for row in equations):
+        if any(any(map(any, self._at(row))) for row in equations):
             reject("an eigenvector is no new function: an equation fails")
 
-    def need_eigenvalue(self, rows: Mapping[int, Row], a: Number) -> None:
-        """Reject unless these rows of an operator have this eigenvalue; one at a value other than 0."""
+    def need_eigenvalue(self, rows: Mapping[int, Sum], a: Number, factor: int) -> None:
+        """Reject unless these rows of an operator, times a factor, have this eigenvalue.
+
+        One of them has to be at a value other than 0.
+        """
         field = self.field
         for i, row in rows.items():
-            value = tuple(map(Fraction, self.vector[i]))
-            if field.mul(a, value) != tuple(self._sum(row)):
-                reject("a vector is no eigenvector with the eigenvalue that is stated")
-        if not any(any(self.vector[i]) for i in rows):
+            for x, y in zip(transposed(self.vector[i]), transposed(self._at(row)), strict=True):
+                value = tuple(Fraction(row.den * c) for c in x)
+                if field.mul(a, value) != tuple(factor * c for c in y):
+                    reject("a vector is no eigenvector with the eigenvalue that is stated")
+        if not any(any(map(any, self.vector[i])) for i in rows):
             reject("an eigenvalue is not seen: the eigenvector is 0 where the operator is given")
 
     def characteristic(self, weights: Sequence[int]) -> list[int]:
@@ -308,7 +395,9 @@ def _need_different(polynomials: Sequence[Sequence[int]], p: int) -> None:
         )
 
 
-def _orbits(text: str, value: object, size: int, primes: int) -> Iterator[Orbit]:
+def _orbits(
+    text: str, value: object, functions: FunctionsOnClasses, primes: int
+) -> Iterator[Orbit]:
     """Read ``field: a, a, …`` between bars, with the data of the fields and the eigenvectors."""
     data = a_list(value, "orbits")
     named = orbits_of(text)
@@ -320,8 +409,10 @@ def _orbits(text: str, value: object, size: int, primes: int) -> Iterator[Orbit]
         field = RATIONAL_FIELD if ring is QQ else ring
         if not isinstance(field, NumberField) or name != ring.name:
             reject(f"the field of an orbit is {shown(name)!r} by its name, and not by its data")
-        vector = [integer_row(x, field.degree) for x in a_list(orbit["vector"], "an eigenvector")]
-        if len(texts) != primes or len(vector) != size:
+        d, width = field.degree, functions.values.dimension
+        vector = [integer_row(x, d * width) for x in a_list(orbit["vector"], "an eigenvector")]
+        if len(texts) != primes or len(vector) != functions.size:
             reject("an orbit has an eigenvalue for each prime, and a value for each class")
         values = [coefficients(ring, ring.read(x)) for x in texts]
-        yield Orbit(field, values, vector)
+        parted = [tuple(row[k::d] for k in range(d)) for row in vector]
+        yield Orbit(field, values, parted, longest(vector))

@@ -49,7 +49,12 @@ def ideal_classes(p: int) -> str:
 
 def newforms(p: int) -> str:
     classes = QuaternionAlgebra(p).maximal_order().class_set()
-    return json.dumps(classes.claim_of_newforms().certificate)
+    return json.dumps(classes.claim_of_newforms(norm=2).certificate)
+
+
+def weighted_newforms(weight: int) -> str:
+    classes = QuaternionAlgebra(2).eichler_order(3).class_set()
+    return json.dumps(classes.claim_of_newforms(weight, 5).certificate)
 
 
 def over_zz(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
@@ -87,6 +92,7 @@ FILES: dict[str, Hostile] = {
     "dirichlet-domain-over-integers: a large level": (domain_over_integers, 11, 199),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
     "newforms: a large level": (newforms, 11, 677),
+    "newforms: a large weight": (weighted_newforms, 4, 30),
     "newforms-over-integers: a large level": (
         over_zz(lambda order, *_: order.class_set().claim_of_newforms()),
         31,
