@@ -146,6 +146,10 @@ NEW_FUNCTIONS_OF_WEIGHT = (
     "newforms of weight k are the new functions on ideals with values in polynomials of degree k/2 - 1 "
     "on the quaternions of trace and norm 0 (Eichler, Jacquet and Langlands)"
 )
+SIGNS = (
+    "two-sided ideals act on new functions as the operators of Atkin and Lehner on newforms, up to the sign "
+    "at primes where the algebra ramifies (Jacquet and Langlands)"
+)
 POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
 MINKOWSKI = (
@@ -185,6 +189,8 @@ THEOREMS = {
     "Jacquet and Langlands, Automorphic Forms on GL(2), Springer Lecture Notes in Mathematics 114 (1970)",
     NEW_FUNCTIONS_OF_WEIGHT: "Eichler, The basis problem for modular forms, Springer Lecture Notes in "
     "Mathematics 320 (1973), 75-151; Gross, Algebraic modular forms, Israel J. Math. 113 (1999)",
+    SIGNS: "Dembélé and Voight, Explicit methods for Hilbert modular forms (2013); Jacquet and Langlands, "
+    "Automorphic Forms on GL(2), Springer Lecture Notes in Mathematics 114 (1970)",
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",

@@ -34,6 +34,7 @@ from hfield.checker.glossary import (
     ORDER,
     SHIMIZU,
     SIEGEL,
+    SIGNS,
 )
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
@@ -236,24 +237,32 @@ def _expect_rational_base(order: LatticeValue) -> None:
 
 def of_newforms(
     classes: Classes,
-    primes: Sequence[Prime],
-    parts: tuple[str, str],
+    primes: tuple[Sequence[Prime], Sequence[Prime]],
+    parts: tuple[str, str, str],
     shown: dict[str, object],
     refusal: str | None,
 ) -> CertifiedClaim:
-    """Return the certified claim of newforms; ``parts`` are the weight, and orbits with eigenvalues."""
+    """Return the certified claim of newforms, with eigenvalues and signs at primes.
+
+    ``parts`` are the weight, the orbits with eigenvalues and their signs.
+    """
     words = _words(classes.ambient)
     of_classes = words.class_set(classes)
     name = words.names.get("newforms", "newforms")
-    data = {**words.with_primes(of_classes.evidence, primes), "kind": name, **shown}
-    weight, orbits = parts
-    about = [text(classes.order), weight, words.primes_text(primes), orbits]
+    of_eigenvalues, of_signs = primes
+    data = {**words.with_primes(of_classes.evidence, of_eigenvalues), "kind": name, **shown}
+    weight, orbits, signs = parts
+    about = [text(classes.order), weight, words.primes_text(of_eigenvalues), orbits]
+    cited = [*of_classes.assumes, NEW_FUNCTIONS if weight == "2" else NEW_FUNCTIONS_OF_WEIGHT]
+    if of_signs:
+        about += [words.primes_text(of_signs), signs]
+        cited.append(SIGNS)
     return CertifiedClaim(
         classes.order.algebra,
         f"{name}{{{'; '.join(about)}}}",
         data,
         BY_EIGENVECTORS,
-        assumes=(*of_classes.assumes, NEW_FUNCTIONS if weight == "2" else NEW_FUNCTIONS_OF_WEIGHT),
+        assumes=tuple(cited),
         refusal=refusal,
     )
 

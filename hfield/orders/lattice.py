@@ -1729,9 +1729,12 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         """The claim of the class number, with its evidence."""
         return certificates.of_class_set(self._classes)
 
-    def claim_of_newforms(self, weight: int = 2, norm: int = 20) -> CertifiedClaim:
+    def claim_of_newforms(
+        self, weight: int = 2, norm: int = 20, signs: bool = False
+    ) -> CertifiedClaim:
         """Return the newforms and their eigenvalues at primes of norm up to a bound, as a statement.
 
+        With ``signs`` it contains the primes of the level and the discriminant, and the signs there.
         Its evidence is checked over ℚ in weights up to 100, and over totally real fields of class number 1 in
         weight 2. Raises as :meth:`newforms` does.
 
@@ -1740,7 +1743,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         >>> claim.statement.rpartition(";")[2], claim.why_no_certificate
         (' QQ: -2,-1,1,-2}', None)
         """
-        return of_newforms(self._functions(checked_weight(weight)), positive(norm, "norm"))
+        functions = self._functions(checked_weight(weight))
+        return of_newforms(functions, positive(norm, "norm"), signs)
 
     @property
     def evidence(self) -> dict[str, object]:

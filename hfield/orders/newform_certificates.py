@@ -23,6 +23,7 @@ from hfield.orders import certificates
 from hfield.orders.base_values import Prime
 from hfield.orders.class_elements import ClassElements
 from hfield.orders.classes import Classes
+from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes
 from hfield.orders.lattice_values import LatticeValue, multiple, product
 from hfield.orders.related_orders import overorders
@@ -39,8 +40,10 @@ Ideal = tuple[int, "Quaternion"]
 LEAST_MODULUS, MAX_MODULI = 10**9, 20
 
 
-def of_newforms(module: Module, norm: int) -> CertifiedClaim:
+def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
     """Return the Galois orbits of newforms, with eigenvalues at the good primes of norm up to a bound.
+
+    With ``signs``, those of Atkin and Lehner at the primes of the level and the discriminant are added.
 
     The primes of the operator that tells the newforms apart are added. The checker is not asked about
     polynomials, weights above 2 over other fields than ℚ, and fields whose class number is not 1.
@@ -52,17 +55,18 @@ def of_newforms(module: Module, norm: int) -> CertifiedClaim:
         refusal = "the checker knows newforms of weights above 2 over QQ only"
     elif module.base.is_polynomial or module.base.class_generators:
         refusal = "the checker knows newforms over QQ and over number fields of class number 1"
-    return _NewformEvidence(module, norm).claim(refusal)
+    return _NewformEvidence(module, norm, signs).claim(refusal)
 
 
 class _NewformEvidence:
     """What shows the newforms of a module."""
 
-    def __init__(self, module: Module, norm: int) -> None:
+    def __init__(self, module: Module, norm: int, signs: bool) -> None:
         self.module, self.forms = module, module.newforms
         self.classes, self.ambient = module.classes, module.classes.ambient
         self.operator = dict(zip(*self.forms[0].operator, strict=True)) if self.forms else {}
-        bad = {P for P, _ in module.level} | set(module.ramified)
+        bad = sorted({P for P, _ in module.level} | set(module.ramified), key=module.absolute_norm)
+        self.sign_primes = bad if signs else []
         self.primes = [P for P in module.primes_up_to(norm) if P not in bad]
         self.primes += [P for P in self.operator if P not in self.primes]
         if not self.primes:
@@ -75,8 +79,10 @@ class _NewformEvidence:
             f"{f.field.name}: {','.join(f.field.text(f.eigenvalue(P)) for P in self.primes)}"
             for f in self.forms
         ]
-        parts = str(self.module.weight), " | ".join(stated) or "none"
-        return certificates.of_newforms(self.classes, self.primes, parts, shown, refusal)
+        signs = [",".join(str(f.sign(P)) for P in self.sign_primes) for f in self.forms]
+        parts = str(self.module.weight), " | ".join(stated) or "none", " | ".join(signs) or "none"
+        primes = self.primes, self.sign_primes
+        return certificates.of_newforms(self.classes, primes, parts, shown, refusal)
 
     def _data(self) -> dict[str, object]:
         vectors = list(map(self._eigenvector, self.forms))
@@ -89,7 +95,17 @@ class _NewformEvidence:
             for P, _ in self.module.level
             for O in overorders(self.classes.order, P, 1)
         ]
+        signs = [
+            {
+                "ideal": certificates.lattice_json(two_sided_prime(self.classes.order, P)),
+                "images": [
+                    [i, self._json([self._exchanged(i, P)])[0]] for i in self._seen(vectors)
+                ],
+            }
+            for P in self.sign_primes
+        ]
         return {
+            **({"signs": signs} if signs else {}),
             "neighbours": neighbours,
             "above": [
                 {"order": certificates.lattice_json(O), "ideals": list(map(self._json, fibres))}
@@ -117,6 +133,12 @@ class _NewformEvidence:
         """Return the ideals of relative norm P in class i."""
         volume = _volume(self.classes.lattice(i)) * self.module.absolute_norm(prime) ** 2
         return [self._scaled(*found, volume) for found in self._elements.neighbours(i, prime)]
+
+    def _exchanged(self, i: int, prime: Prime) -> Ideal:
+        """Return class i times the two-sided ideal at a prime."""
+        ideal = two_sided_prime(self.classes.order, prime)
+        volume = _volume(product(self.classes.lattice(i), ideal))
+        return self._scaled(*self._elements.exchanged(i, prime), volume)
 
     def _scaled(self, j: int, row: list[fmpz], volume: Fraction) -> Ideal:
         """Return a class and a rational multiple of an element with a c·I_j of a volume."""
@@ -252,9 +274,11 @@ class _NewformEvidence:
         return found
 
     def _rows(self, prime: Prime, vectors: list[list[list[int]]]) -> list[int]:
-        """Return classes at which a Hecke operator is to be given: some at which no eigenvector is 0."""
-        if self.operator.get(prime):
-            return list(range(len(self.classes)))
+        """Return classes at which a Hecke operator is to be given."""
+        return list(range(len(self.classes))) if self.operator.get(prime) else self._seen(vectors)
+
+    def _seen(self, vectors: list[list[list[int]]]) -> list[int]:
+        """Return classes such that each eigenvector is not 0 at one of them; one at least."""
         if not vectors:
             return [0]
         found, rest = list[int](), vectors

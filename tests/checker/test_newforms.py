@@ -12,7 +12,7 @@ import pytest
 
 from hfield import QuaternionAlgebra
 from hfield.checker.check import check
-from hfield.checker.glossary import MASS, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT
+from hfield.checker.glossary import MASS, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT, SIGNS
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import established, rejects
@@ -22,28 +22,31 @@ GOLDEN = "QQ(sqrt(5))"
 
 
 @cache
-def _certificate(algebra: int | str, level: int | str, norm: int, weight: int) -> Certificate:
+def _certificate(
+    algebra: int | str, level: int | str, norm: int, weight: int, signs: bool
+) -> Certificate:
     A = QuaternionAlgebra(algebra)
-    found = A.eichler_order(level).class_set().claim_of_newforms(weight, norm).certificate
+    found = A.eichler_order(level).class_set().claim_of_newforms(weight, norm, signs).certificate
     assert found is not None
     return found
 
 
 def certificate(
-    algebra: int | str, level: int | str = 1, norm: int = 5, weight: int = 2
+    algebra: int | str, level: int | str = 1, norm: int = 5, weight: int = 2, signs: bool = False
 ) -> Certificate:
     """A copy of a certificate, which may be forged."""
-    return copy.deepcopy(_certificate(algebra, level, norm, weight))
+    return copy.deepcopy(_certificate(algebra, level, norm, weight, signs))
 
 
 def orbits_of(data: Certificate) -> str:
-    return str(data["statement"]).rpartition(";")[2].strip(" }")
+    return str(data["statement"]).split(";")[3].strip(" }")
 
 
-def restated(data: Certificate, orbits: str) -> Certificate:
-    """The same evidence for other orbits."""
-    front = data["statement"].rpartition(";")[0]
-    return {**data, "statement": f"{front}; {orbits}}}"}
+def restated(data: Certificate, text: str, place: int = 3) -> Certificate:
+    """The same evidence for other orbits, or another part of the statement."""
+    parts = data["statement"].rstrip("}").split("; ")
+    parts[place] = text
+    return {**data, "statement": "; ".join(parts) + "}"}
 
 
 @pytest.mark.parametrize(
@@ -160,6 +163,60 @@ def test_forged_values() -> None:
         rejects(data)
 
 
+# --- signs ----------------------------------------------------------------------------------------------
+
+
+@subcases(
+    "algebra, level, weight, signs",
+    [
+        # of PARI's mfatkineigenvalues, also at squares
+        (2, 45, 2, "2,3,5; 1,1,-1 | -1,1,1 | -1,-1,-1"),
+        (2, 27, 6, "2,3; 1,-1 | 1,1 | 1,-1 | -1,-1 | -1,1 | -1,1"),
+        (2, 1, 2, "2; none"),
+        # a_P = −w at a prime of the level
+        (f"(-1,-1|{GOLDEN})", "6 + sqrt(5)", 2, "(31, sqrt(5)-25); 1"),
+    ],
+)
+def test_signs(algebra: int | str, level: int | str, weight: int, signs: str) -> None:
+    data = certificate(algebra, level, 5, weight, signs=True)
+    assert data["statement"].endswith(f"; {signs}}}")
+    assert SIGNS in established(data).theorems
+
+
+def test_forged_signs() -> None:
+    data = certificate(2, 9, 5, 4, signs=True)
+    assert data["statement"].endswith("; QQ: -6; 2,3; -1,-1}")
+    for signs in ("1,-1", "-1,1", "-1", "-1,-1,-1", "-1,0", "-1,-1 | -1,-1", "none"):
+        rejects(restated(data, signs, 5))
+    for primes in ("3,2,5", "2,5", "2", "none"):
+        rejects(restated(data, primes, 4))
+    whole = data["statement"].split("; ")
+    rejects({**data, "statement": "; ".join(whole[:4]) + "}"}, "together")
+    rejects({**data, "statement": "; ".join(whole[:5]) + "}"}, "5 parts")
+    rejects({**data, "assumes": data["assumes"][:-1]}, "assumes")
+    two, three = data["evidence"]["signs"]
+    for change in (
+        [two],
+        [three, two],
+        [two, {**three, "images": []}],
+        [two, {**three, "images": three["images"] * 2}],
+        [two, {**three, "images": two["images"]}],
+        [two, {**three, "ideal": two["ideal"]}],
+    ):
+        data["evidence"]["signs"] = change
+        rejects(data)
+
+
+def test_the_multiple_of_a_prime_is_not_its_two_sided_ideal() -> None:
+    """3·O has the norm of the two-sided ideal at 3 of level 9; with it the sign there would be 1."""
+    data = certificate(2, 9, 5, 4, signs=True)
+    rows = data["statement"].partition("{")[2].partition(";")[0].split(" | ")
+    ideal = {"den": 4, "rows": [[int(12 * Fraction(x)) for x in row.split(",")] for row in rows]}
+    images = [[i, [i, ["3", "0", "0", "0"]]] for i, _ in data["evidence"]["signs"][1]["images"]]
+    data["evidence"]["signs"][1] = {"ideal": ideal, "images": images}
+    rejects(restated(data, "-1,1", 5), "multiple of the prime")
+
+
 # --- a change at any place -------------------------------------------------------------------------------
 
 
@@ -184,12 +241,13 @@ def with_another_number(data: Certificate, path: tuple[str | int, ...]) -> Certi
     return forged
 
 
-KINDS = [(7, 3, 5, 4)]
+Kind = tuple[int | str, int | str, int, int, bool]
+KINDS: list[Kind] = [(7, 3, 5, 4, True)]
 
 
-def check_changes(algebra: int | str, level: int | str, norm: int, weight: int, each: int) -> None:
+def check_changes(kind: Kind, each: int) -> None:
     """Change so many numbers of each field of a certificate, one at a time."""
-    data = certificate(algebra, level, norm, weight)
+    data = certificate(*kind)
     fields: dict[tuple[str, ...], list[tuple[str | int, ...]]] = {}
     for path in places(data["evidence"]):
         if path[0] != "operator":  # another combination is as good
@@ -205,15 +263,15 @@ def check_changes(algebra: int | str, level: int | str, norm: int, weight: int, 
         rejects(restated(data, orbits[: m.start()] + str(int(m[0]) + 1) + orbits[m.end() :]))
 
 
-@subcases("algebra, level, norm, weight", KINDS)
-def test_some_numbers_changed(algebra: int | str, level: int | str, norm: int, weight: int) -> None:
-    check_changes(algebra, level, norm, weight, 2)
+@pytest.mark.parametrize("kind", KINDS)
+def test_some_numbers_changed(kind: Kind) -> None:
+    check_changes(kind, 2)
 
 
 @pytest.mark.slow
-@subcases("algebra, level, norm, weight", KINDS)
-def test_each_number_changed(algebra: int | str, level: int | str, norm: int, weight: int) -> None:
-    check_changes(algebra, level, norm, weight, 10**6)
+@pytest.mark.parametrize("kind", KINDS)
+def test_each_number_changed(kind: Kind) -> None:
+    check_changes(kind, 10**6)
 
 
 # --- eigenvectors and orbits --------------------------------------------------------------------------

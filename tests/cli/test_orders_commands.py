@@ -106,8 +106,11 @@ def test_newforms_are_certified(capsys, tmp_path):
     file = str(tmp_path / "newforms.json")
     page(capsys, "newforms", "43", "--primes", "5", "--certificate", file)
     assert "QQ: -2,-2,-4 | QQ[s]/(s^2-2): s,-s,2-s" in page(capsys, "check", file)
-    assert main(["newforms", "3", "--level", "5", "--weight", "4", "--certificate", file]) == 0
-    assert "weight 2 only" in capsys.readouterr().err
+    page(capsys, "newforms", "3", "--level", "5", "--weight", "4", "--certificate", file)
+    assert "; 4; 2,7,11,13,17,19; " in page(capsys, "check", file)
+    icosians = ["(-1,-1|QQ(sqrt(5)))", "--weight", "6", "--primes", "5"]
+    assert main(["newforms", *icosians, "--certificate", file]) == 0
+    assert "over QQ only" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

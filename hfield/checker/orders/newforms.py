@@ -25,12 +25,19 @@ from operator import add
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult
-from hfield.checker.glossary import BY_EIGENVECTORS, FIELD, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT
+from hfield.checker.glossary import (
+    BY_EIGENVECTORS,
+    FIELD,
+    NEW_FUNCTIONS,
+    NEW_FUNCTIONS_OF_WEIGHT,
+    SIGNS,
+)
 from hfield.checker.number_fields.factoring import factored
-from hfield.checker.number_fields.ideals import times_primes
+from hfield.checker.number_fields.ideals import index, times_primes
 from hfield.checker.number_fields.integers import RATIONAL_FIELD, Prime, coefficients, integer_row
 from hfield.checker.number_fields.matrices import (
     Key,
+    Row,
     Rows,
     hermite,
     longest,
@@ -39,11 +46,11 @@ from hfield.checker.number_fields.matrices import (
     unit,
 )
 from hfield.checker.number_fields.modular import echelon, kernel
-from hfield.checker.orders.class_set import left_units, need_class_set
+from hfield.checker.orders.class_set import left_units, need_class_set, need_ideal
 from hfield.checker.orders.lattice import Lattice, LatticeElement
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.reading import OverField, OverQ
-from hfield.checker.orders.texts import a_whole_number, orbits_of
+from hfield.checker.orders.texts import a_whole_number, orbits_of, signs_of
 from hfield.checker.orders.weights import Values
 from hfield.checker.rejection import a_list, an_integer, an_object, reject, shown
 from hfield.checker.scalars.fields import read_ring
@@ -89,9 +96,29 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
     if sum(orbit.field.degree for orbit in orbits) != functions.dimension(equations, p):
         reject("the degrees of the orbits do not add up to the dimension of the new functions")
     _need_different([orbit.characteristic(weights) for orbit in orbits], p)
-    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
-    newforms = NEW_FUNCTIONS_OF_WEIGHT if values.degree else NEW_FUNCTIONS
-    return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites, newforms)
+    cites = [*given.unit_theorems, *given.zeta_theorems, given.mass_theorem]
+    cites.append(NEW_FUNCTIONS_OF_WEIGHT if values.degree else NEW_FUNCTIONS)
+    if len(parts) > 4 or "signs" in data:
+        _need_signs(functions, orbits, parts[4:])
+        cites.append(SIGNS)
+    return CheckResult(FIELD, BY_EIGENVECTORS).citing(*cites)
+
+
+def _need_signs(
+    functions: "FunctionsOnClasses", orbits: Sequence["Orbit"], parts: tuple[str, ...]
+) -> None:
+    """Reject unless the orbits have these signs of Atkin and Lehner at these primes."""
+    given = functions.given
+    if len(parts) != 2 or "signs" not in given.data:
+        reject("signs are stated together with primes, and have evidence")
+    primes, stated = given.primes_named(parts[0]), signs_of(parts[1])
+    entries = a_list(given.data["signs"], "signs", 1)
+    if len(entries) != len(primes) or [len(own) for own in stated] != [len(primes)] * len(orbits):
+        reject("there is a sign for each orbit and each prime, and evidence for each prime")
+    for n, (P, entry) in enumerate(zip(primes, entries, strict=True)):
+        factor, rows = functions.exchange_rows(P, entry)
+        for orbit, own in zip(orbits, stated, strict=True):
+            orbit.need_eigenvalue(rows, orbit.field.number(factor * own[n]), 1)
 
 
 class FunctionsOnClasses:
@@ -187,6 +214,47 @@ class FunctionsOnClasses:
             found.append(rows)
         return found
 
+    def exchange_rows(self, P: Prime, value: object) -> tuple[int, dict[int, Sum]]:
+        """Read rows of the operator f(I) ↦ f(I·J) for the two-sided ideal J at a prime of the discriminant.
+
+        Returns the factor by which it differs from the operator of Atkin and Lehner, and the rows.
+        """
+        symbol = next((symbol for Q, symbol in self._symbols if Q == P), None)
+        if symbol is None:
+            reject("signs are stated at primes of the discriminant of the order")
+        data = an_object(value, "ideal images", "the evidence of signs")
+        two_sided = self.given.given(data["ideal"])
+        self._need_two_sided_prime(two_sided, P)
+        rows: dict[int, Sum] = {}
+        for entry in a_list(data["images"], "images"):
+            pair = a_list(entry, "a row", 2)
+            i = an_integer(pair[0], "a class", 0)
+            if len(pair) != 2 or i >= self.size or i in rows:
+                reject("an image has the number of a class, and an ideal; no class comes twice")
+            j, c, image = self._ideal(pair[1])
+            if image.key != _product(self.ideals[i], two_sided).key:
+                reject("an ideal is not the product with the two-sided ideal")
+            rows[i] = self._sum([(j, c)])
+        return (-1 if symbol < 0 else 1), rows
+
+    def _need_two_sided_prime(self, ideal: Lattice, P: Prime) -> None:
+        """Reject unless an ideal is the two-sided one at P that is not O and not in P·O.
+
+        With P·O it generates the locally principal two-sided ideals at P.
+        """
+        for side in ("left", "right"):
+            need_ideal(ideal, self.order, side, "the two-sided ideal")
+        integers = self.order.algebra.integers
+        whole: Key = 1, tuple(unit(integers.n, k) for k in range(integers.n))
+        size, norm = index(ideal.norm), times_primes(integers, [(P, 1)], whole)
+        while index(norm) < size:
+            norm = times_primes(integers, [(P, 1)], norm)
+        if norm != ideal.norm or not self.order.holds(ideal.den, ideal.rows):
+            reject("the norm of the two-sided ideal is no power of the prime")
+        multiple = Lattice(self.order.algebra, self.order.den, hermite(_times_prime(self.order, P)))
+        if multiple.holds(ideal.den, ideal.rows):
+            reject("the two-sided ideal is a multiple of the prime")
+
     def dimension(self, equations: Sequence[Sum], p: int) -> int:
         """Return a bound of the dimension of the functions that satisfy equations, from those modulo p."""
         width = self.values.dimension
@@ -248,14 +316,7 @@ class FunctionsOnClasses:
         ratio = self.order.volume / above.volume
         for P in self.level:
             # P·O′ is in O: O′ is larger at P alone
-            span = [*P.span, tuple(P.p * c for c in self.order.algebra.integers.one)]
-            rows = [
-                above.algebra.blockwise(row, above.algebra.integers.matrix(x))
-                for x in span
-                for row in above.rows
-            ]
-            above.pay(len(span))
-            if ratio == P.norm and self.order.holds(above.den, rows):
+            if ratio == P.norm and self.order.holds(above.den, _times_prime(above, P)):
                 return P
         reject("an order above has no prime index at a prime of the level")
 
@@ -273,6 +334,16 @@ class FunctionsOnClasses:
             yield row
         if len(classes) != self.size:
             reject("a class lies in no ideal of an order above")
+
+
+def _times_prime(lattice: Lattice, P: Prime) -> list[Row]:
+    """Return rows that span P·L over the integers of the field."""
+    algebra = lattice.algebra
+    span = [*P.span, tuple(P.p * c for c in algebra.integers.one)]
+    lattice.pay(len(span))
+    return [
+        algebra.blockwise(row, algebra.integers.matrix(x)) for x in span for row in lattice.rows
+    ]
 
 
 def _product(ideal: Lattice, order: Lattice) -> Lattice:

@@ -64,6 +64,16 @@ def orbits_of(text: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
     return tuple(found)
 
 
+def signs_of(text: str) -> tuple[tuple[int, ...], ...]:
+    """Read numbers 1 and −1 between commas, for each orbit, between bars; or ``none``."""
+    if text.strip() == "none":
+        return ()
+    found = tuple(numbers_of(own) for own in text.split("|"))
+    if not {x for own in found for x in own} <= {1, -1}:
+        reject("a sign is 1 or -1")
+    return found
+
+
 def elements_of(
     text: str, why: str = "an element is written as four numbers"
 ) -> tuple[tuple[Fraction, ...], ...]:

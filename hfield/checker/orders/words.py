@@ -3,7 +3,8 @@
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
 ``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·
 ``embedding-orbits{O; d; n}`` · ``class-set{O; h}`` · ``dirichlet-domain{O; c; g | …}`` ·
-``norm-one-group{O; genus; orders; cusps; g | …; words}`` · ``newforms{O; 2; p,…; F: a,… | …}``. A lattice
+``norm-one-group{O; genus; orders; cusps; g | …; words}`` · ``newforms{O; k; p,…; F: a,… | …}``, also with
+signs, ``newforms{O; k; p,…; F: a,… | …; q,…; w,… | …}``. A lattice
 is written as four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
 
 Over a number field: ``order-over-integers{O; n}`` · ``ideal-over-integers{I; side; O; n}``, n the absolute
@@ -35,6 +36,7 @@ from hfield.checker.orders.texts import (
     numbers_of,
     orbits_of,
     rows_of,
+    signs_of,
     words_of,
 )
 from hfield.checker.rejection import an_object, kind_of, reject, shown
@@ -59,7 +61,7 @@ OVER_Q: Evidence[OverQ] = {
     ("class-set", "proved"): (statements.is_class_set, "classes", ""),
     ("dirichlet-domain", "proved"): (statements.is_domain, "", ""),
     ("norm-one-group", "proved"): (statements.is_group, "center units", ""),
-    ("newforms", "proved"): (newforms.are_newforms, f"classes {NEWFORMS}", ""),
+    ("newforms", "proved"): (newforms.are_newforms, f"classes {NEWFORMS}", "signs"),
 }
 UNITS = "units fundamental"
 OVER_FIELDS: Evidence[OverField] = {
@@ -78,7 +80,7 @@ OVER_FIELDS: Evidence[OverField] = {
         statements.is_group, "basis primes center units", ""
     ),
     ("newforms-over-integers", "proved"): (
-        newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow"
+        newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow signs"
     ),
 }  # fmt: skip
 
@@ -102,7 +104,7 @@ def _maximal(text: str) -> str:
     return text
 
 
-# How the parts of a word over ℚ are read; that an order is maximal may be left away.
+# How the parts of a word over ℚ are read; the last OPTIONAL of them may be left away together.
 PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
     "order": (rows_of, a_rational, _maximal),
     "ideal": (rows_of, a_side, rows_of, a_rational),
@@ -113,8 +115,9 @@ PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
     "class-set": (rows_of, a_rational),
     "dirichlet-domain": (rows_of, elements_of, elements_of),
     "norm-one-group": (rows_of, a_rational, numbers_of, a_rational, elements_of, words_of),
-    "newforms": (rows_of, a_rational, numbers_of, orbits_of),
+    "newforms": (rows_of, a_rational, numbers_of, orbits_of, numbers_of, signs_of),
 }
+OPTIONAL = {"order": 1, "newforms": 2}
 
 _NUMBER, _WHOLE = "[1-9][0-9]{0,99}", "(0|[1-9][0-9]{0,9})"
 _IDEAL = "[^;|,]+"
@@ -130,7 +133,7 @@ FORMS = {
     "dirichlet-domain-over-integers": "[^;]+;[^;]+;[^;]+",
     "norm-one-group-over-integers": f"[^;]+;{_WHOLE};(none|{_WHOLE}(,{_WHOLE})*);{_WHOLE};[^;]+;"
     f"(none|{_LETTERS}(,{_LETTERS})*)",
-    "newforms-over-integers": "[^;]+;2;[^;]+;[^;]+",
+    "newforms-over-integers": "[^;]+;2;[^;]+;[^;]+(;[^;]+;[^;]+)?",
     "order-over-polynomials": f"[^;]+;{_IDEAL}",
     "ideal-over-polynomials": f"[^;]+;(left|right);[^;]+;{_IDEAL}",
     "equivalent-over-polynomials": "(left|right);[^;]+;[^;]+",
@@ -170,7 +173,7 @@ def _established(
 def order_meaning(word: str, parts: tuple[str, ...]) -> Meaning:
     """Return what a statement over ℚ says, however it is written; a basis is not changed."""
     readers = PARTS[word]
-    if len(parts) != len(readers) and (word, len(parts)) != ("order", 2):
+    if len(parts) not in (len(readers), len(readers) - OPTIONAL.get(word, 0)):
         reject(f"{word} has not {len(parts)} parts")
     return word, tuple(read(part) for read, part in zip(readers, parts, strict=False))
 

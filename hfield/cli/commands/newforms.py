@@ -96,7 +96,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
     document = of_parts(
         lambda: _data(C, k, forms, args.primes), lambda: _parts(C, k, forms, args.primes)
     )
-    return document, lambda: C.claim_of_newforms(k, args.primes)
+    return document, lambda: C.claim_of_newforms(k, args.primes, signs=True)
 
 
 def _data(C: ClassSet, k: int, forms: list[Newform], bound: int) -> dict[str, object]:
