@@ -281,6 +281,14 @@ def element_json(ambient: AlgebraBasis, q: Quaternion) -> object:
     return _words(ambient).element(q)
 
 
+def class_group_primes(ambient: AlgebraBasis) -> list[Prime]:
+    """Return the prime ideals of the evidence that generate the class group, none if all are principal."""
+    if not ambient.base.class_generators:
+        return []
+    s = s_units(ambient.base.ring)
+    return [s.base[k] for k in s.primes]
+
+
 def _side(side: str) -> str:
     """Return the side on which a statement is made; a two-sided ideal is a left one."""
     return "right" if side == "right" else "left"

@@ -22,10 +22,10 @@ from hfield.core.primality import is_prime
 from hfield.orders import certificates
 from hfield.orders.base_values import Prime
 from hfield.orders.class_elements import ClassElements
-from hfield.orders.classes import Classes
+from hfield.orders.classes import Classes, orbits
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes
-from hfield.orders.lattice_values import LatticeValue, multiple, product
+from hfield.orders.lattice_values import LatticeValue, multiple, product, times_ideal
 from hfield.orders.related_orders import overorders
 from hfield.orders.weight_values import WeightValues, padded
 
@@ -46,15 +46,15 @@ def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
     With ``signs``, those of Atkin and Lehner at the primes of the level and the discriminant are added.
 
     The primes of the operator that tells the newforms apart are added. The checker is not asked about
-    polynomials, weights above 2 over other fields than ℚ, and fields whose class number is not 1.
+    polynomials and weights above 2 over other fields than ℚ.
     """
     refusal = None
     if module.weight > MAX_WEIGHT:
         refusal = f"the checker knows newforms of weights up to {MAX_WEIGHT}"
     elif module.weight > 2 and module.base.degree > 1:
         refusal = "the checker knows newforms of weights above 2 over QQ only"
-    elif module.base.is_polynomial or module.base.class_generators:
-        refusal = "the checker knows newforms over QQ and over number fields of class number 1"
+    elif module.base.is_polynomial:
+        refusal = "the checker knows newforms over QQ and over number fields"
     return _NewformEvidence(module, norm, signs).claim(refusal)
 
 
@@ -95,6 +95,10 @@ class _NewformEvidence:
             for P, _ in self.module.level
             for O in overorders(self.classes.order, P, 1)
         ]
+        central = [
+            [self._json([self._multiplied(i, P)])[0] for i in range(len(self.classes))]
+            for P in certificates.class_group_primes(self.ambient)
+        ]
         signs = [
             {
                 "ideal": certificates.lattice_json(two_sided_prime(self.classes.order, P)),
@@ -105,6 +109,7 @@ class _NewformEvidence:
             for P in self.sign_primes
         ]
         return {
+            **({"central": central} if central else {}),
             **({"signs": signs} if signs else {}),
             "neighbours": neighbours,
             "above": [
@@ -133,6 +138,12 @@ class _NewformEvidence:
         """Return the ideals of relative norm P in class i."""
         volume = _volume(self.classes.lattice(i)) * self.module.absolute_norm(prime) ** 2
         return [self._scaled(*found, volume) for found in self._elements.neighbours(i, prime)]
+
+    def _multiplied(self, i: int, prime: Prime) -> Ideal:
+        """Return class i times a prime ideal of the base."""
+        ideal = self.module.base.prime_ideal(prime)
+        volume = _volume(times_ideal(self.classes.lattice(i), ideal))
+        return self._scaled(*self._elements.multiplied(i, ideal), volume)
 
     def _exchanged(self, i: int, prime: Prime) -> Ideal:
         """Return class i times the two-sided ideal at a prime."""
@@ -251,6 +262,12 @@ class _NewformEvidence:
             power = power * alpha
         return self._expanded(values * scale * fmpq_mat(change))
 
+    @cached_property
+    def _kinds(self) -> list[int]:
+        """Which functions of the basis are mapped to one another by ideals of the base, by numbers."""
+        central = self.classes.central
+        return orbits(len(self.classes), central) if central else list(range(self.size))
+
     def _expanded(self, vector: fmpq_mat) -> list[list[int]]:
         """Return a multiple of a function with integral values, class by class."""
         rows, d, width = vector.tolist(), vector.ncols(), self.values.dimension
@@ -265,9 +282,13 @@ class _NewformEvidence:
         return [list(map(int, row)) for row in whole.tolist()]
 
     def _image(self, h: fmpz_poly, i: int) -> fmpz_mat:
-        """Return a multiple of the image of a function of the basis under h(T)."""
+        """Return a multiple of the image of a function with trivial character under h(T).
+
+        The function is one of the basis; in weight 2 the sum of those of an orbit of ideals of the base.
+        """
         T, den = self._matrix
-        start = fmpz_mat(self.size, 1, [int(i == j) for j in range(self.size)])
+        kinds = self._kinds
+        start = fmpz_mat(self.size, 1, [int(kinds[i] == kinds[j]) for j in range(self.size)])
         found = fmpz_mat(self.size, 1)
         for k, c in enumerate(reversed(h.coeffs())):
             found = T * found + start * (c * den**k)
@@ -297,6 +318,9 @@ class _NewformEvidence:
             for kind in sorted(set(kinds)):  # functions of the norm
                 pairs = zip(kinds, units, strict=True)
                 rows.append([fmpq(1, w) if k == kind else fmpq(0) for k, w in pairs])
+        for moved in self.classes.central:
+            for i, j in enumerate(moved):
+                rows.append([fmpq(int(n == j) - int(n == i)) for n in range(self.size)])
         table = fmpq_mat(len(rows), self.size, [c for row in rows for c in row]).numer_denom()[0]
         whole = fmpz_poly([1])
         for f in self.forms:

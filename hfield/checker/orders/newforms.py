@@ -73,8 +73,6 @@ class Sum:
 def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResult:
     """Check that these are the Galois orbits of newforms of a weight, with eigenvalues at some primes."""
     values = Values(given.algebra, a_whole_number(parts[1], "a weight"))
-    if given.class_number != 1:
-        reject("newforms are checked over fields of class number 1")
     functions = FunctionsOnClasses(given, given.order(parts[0]), values)
     primes, data = given.primes_named(parts[2]), given.data
     rows = functions.hecke_rows(primes, data["neighbours"])
@@ -83,7 +81,7 @@ def are_newforms(given: OverQ | OverField, parts: tuple[str, ...]) -> CheckResul
         reject("the operator has a coefficient for each prime")
     if any(c and len(own) < functions.size for c, own in zip(weights, rows, strict=True)):
         reject("an operator that tells newforms apart is given at all classes")
-    equations = functions.equations(data["above"])
+    equations = [*functions.equations(data["above"]), *functions.central_equations()]
     orbits = list(_orbits(parts[3], data["orbits"], functions, len(primes)))
     for orbit in orbits:
         orbit.need_invariant(functions.actions)
@@ -213,6 +211,33 @@ class FunctionsOnClasses:
                 rows[i] = self._ideals(pair[1], around, P.norm + 1, volume, norm)
             found.append(rows)
         return found
+
+    def central_equations(self) -> Iterator[Sum]:
+        """Yield f(I·P) = f(I) for the prime ideals P of the field that generate its class group."""
+        primes = self.given.class_group_primes
+        tables = a_list(self.given.data.get("central", []), "the products with ideals of the field")
+        if len(tables) != len(primes):
+            reject("there are products with each prime ideal that is needed for the class group")
+        width = self.values.dimension
+        for P, table in zip(primes, tables, strict=True):
+            entries = a_list(table, "the products with a prime ideal")
+            if len(entries) != self.size:
+                reject("there is a product of each class with a prime ideal")
+            for i, entry in enumerate(entries):
+                j, c, image = self._ideal(entry)
+                around = self.ideals[i]
+                expected = Lattice(around.algebra, around.den, hermite(_times_prime(around, P)))
+                if image.key != expected.key:
+                    reject("an ideal is not the product with an ideal of the field")
+                found = self._sum([(j, c)])
+                one = tuple(unit(width, n, -found.den) for n in range(width))
+                blocks = {i: one}
+                if i == j:
+                    own = zip(found.blocks[j], one, strict=True)
+                    blocks[j] = tuple(tuple(map(add, x, y)) for x, y in own)
+                else:
+                    blocks[j] = found.blocks[j]
+                yield Sum(found.den, blocks, found.bits + 1)
 
     def exchange_rows(self, P: Prime, value: object) -> tuple[int, dict[int, Sum]]:
         """Read rows of the operator f(I) ↦ f(I·J) for the two-sided ideal J at a prime of the discriminant.

@@ -89,6 +89,8 @@ class OverNumberFields(Given, ABC):
     """An algebra over ℚ or a number field."""
 
     class_number = 1
+    class_group_primes: Sequence[Prime] = ()
+    """Prime ideals that generate the class group, none where all ideals are principal."""
     units: Sequence[Number]
     """The totally positive units modulo squares."""
 
@@ -241,6 +243,9 @@ class OverField(OverNumberFields):
             self.narrow = NarrowClasses(field, data["units"], data["fundamental"])
             integers, self.units = self.narrow.s.integers, self.narrow.units
             self.class_number, self.unit_theorems = self.narrow.order, self.narrow.s.cites
+            if self.class_number > 1:
+                s = self.narrow.s
+                self.class_group_primes = [s.factors.primes[k] for k in s.S]
         super().__init__(setting, integers, data)
 
     @cached_property

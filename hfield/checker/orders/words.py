@@ -80,7 +80,7 @@ OVER_FIELDS: Evidence[OverField] = {
         statements.is_group, "basis primes center units", ""
     ),
     ("newforms-over-integers", "proved"): (
-        newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow signs"
+        newforms.are_newforms, f"{UNITS} primes classes {NEWFORMS}", "narrow central signs"
     ),
 }  # fmt: skip
 
