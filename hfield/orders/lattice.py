@@ -1735,8 +1735,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         """Return the newforms and their eigenvalues at primes of norm up to a bound, as a statement.
 
         With ``signs`` it contains the primes of the level and the discriminant, and the signs there.
-        Its evidence is checked over ℚ in weights up to 100, and over totally real fields in weight 2. Raises as
-        :meth:`newforms` does.
+        Its evidence is checked over ℚ in weights up to 100, and over totally real fields in weight 2. Raises
+        as :meth:`newforms` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> claim = QuaternionAlgebra(11).maximal_order().class_set().claim_of_newforms(norm=7)

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from itertools import count, islice
 from typing import TYPE_CHECKING
 
-from flint import fmpz_poly, nmod_mat, nmod_poly
+from flint import fmpq_poly, fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
@@ -129,6 +129,23 @@ class Newform:
         if self.degree == 1:
             return self.field(self._numerator(P)[0])
         return self._field.element(self._numerator(P))
+
+    def eigenvalue_polynomial(self, prime: object) -> fmpq_poly:
+        """Return the polynomial x with x(α) the eigenvalue at a prime, for a root α of :attr:`polynomial`.
+
+        The small polynomial of :attr:`field` is not computed, which takes long where the degree is large.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> f, g = QuaternionAlgebra(43).maximal_order().class_set().newforms()
+        >>> g.polynomial, g.eigenvalue_polynomial(5)
+        (x^2 + (-2), (-1)*x + 2)
+        """
+        P = self._module.prime(prime)
+        known = self._at_level(P)
+        if known is not None:
+            return fmpq_poly([known])
+        g = fmpq_poly(self.polynomial)
+        return fmpq_poly(self._numerator(P)) * g.derivative().xgcd(g)[1] % g
 
     def __getitem__(self, prime: object) -> int | FieldElement:
         """Return the eigenvalue at a prime; an int where the field is ℚ."""

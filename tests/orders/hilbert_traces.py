@@ -9,9 +9,10 @@ import json
 from collections.abc import Iterator
 from functools import cache
 from itertools import product
-from math import prod
 from pathlib import Path
 from typing import Any
+
+from flint import fmpq, fmpq_poly
 
 from hfield import QuaternionAlgebra, ring
 from hfield.orders.newforms import Newform
@@ -54,22 +55,25 @@ class Field:
         for drops in product(*(range(e + 1) for e in whole.values())):
             lower = {P: e - t for (P, e), t in zip(whole.items(), drops, strict=True)}
             for f in self.newforms(tuple((P, e) for P, e in lower.items() if e), k):
-                factors = (
-                    factor(f, P, norm.get(P, 0), lower.get(P, 0), whole.get(P, 0), k)
-                    for P in {**whole, **norm}
-                )
-                value = prod(factors, start=f.field(1))
-                yield int((value if f.degree == 1 else value.trace()).p)
+                value = fmpq_poly([1])
+                for P in {**whole, **norm}:
+                    value *= factor(f, P, norm.get(P, 0), lower.get(P, 0), whole.get(P, 0), k)
+                yield trace(value, fmpq_poly(f.polynomial))
 
 
-def factor(f: Newform, P: Any, e: int, own: int, level: int, k: int) -> Any:
-    """The trace of T of Pᵉ on what the newform of level Pᵒʷⁿ gives in the level Pˡᵉᵛᵉˡ."""
+def trace(x: fmpq_poly, g: fmpq_poly) -> int:
+    """The trace of x(α) for a root α of g: N_(d−1) for x = N/g′ modulo g, where d is the degree of g."""
+    return int(fmpq((x * g.derivative() % g)[g.degree() - 1]).p)
+
+
+def factor(f: Newform, P: Any, e: int, own: int, level: int, k: int) -> fmpq_poly:
+    """The trace of T of Pᵉ on what the newform of level Pᵒʷⁿ gives in the level Pˡᵉᵛᵉˡ, at a root."""
     if not e:
-        return f.field(level - own + 1)
-    a = f.eigenvalue(P)
+        return fmpq_poly([level - own + 1])
+    a = f.eigenvalue_polynomial(P)
     if own:
         return a**e
-    before, now = f.field(2 if level else 1), a  # power sums, or coefficients at powers of P
+    before, now = fmpq_poly([2 if level else 1]), a  # power sums, or coefficients at powers of P
     for _ in range(1, e):
         before, now = now, a * now - before * P.norm() ** (k - 1)
     return now
