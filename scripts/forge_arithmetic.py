@@ -1,6 +1,6 @@
 """Forge certificates about class groups, units, orders, their classes and newforms; see that no lie passes.
 
-    python scripts/forge_arithmetic.py [--seconds 60] [--seed 0]
+    python scripts/forge_arithmetic.py [--seconds 60] [--seed 0] [--only newforms]
 
 Genuine certificates get a false statement, and one to three changes of their evidence: numbers, entries left
 out, doubled or exchanged, parts of other certificates. What is stated is false because the genuine statement
@@ -39,6 +39,8 @@ NEWFORMS = (
     ("(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", 5, 2),
     (7, 3, 5, 4),
     (11, 1, 5, 6),
+    (2, 9, 7, 8),
+    ("(-1,-1|QQ(sqrt(10)))", 1, 3, 2),
 )
 POLYNOMIALS = (
     ("GF(3)(t)", "t^3+2*t+1", 1),
@@ -67,7 +69,7 @@ def genuine() -> list[dict[str, Any]]:
         found += [O.class_set().certificate for O in (A.maximal_order(), A.order(["i", "j"]))]
     for algebra, level, norm, weight in NEWFORMS:
         C = QuaternionAlgebra(algebra).eichler_order(level).class_set()
-        found.append(C.claim_of_newforms(weight, norm).certificate)
+        found += [C.claim_of_newforms(weight, norm, signs).certificate for signs in (False, True)]
     for name, prime, level in POLYNOMIALS:
         A = QuaternionAlgebra.from_ramification(name, [prime, "inf"])
         O = A.eichler_order(level)
@@ -157,7 +159,11 @@ def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
             "QQ: " + ",".join("3468"[: orbits[0].count(",") + 1]),
         ):
             if text != parts[3]:
-                yield f"{word}{{{'; '.join([*parts[:3], text])}}}"
+                yield f"{word}{{{'; '.join([*parts[:3], text, *parts[4:]])}}}"
+        if len(parts) > 4:
+            m = rng.choice(list(re.finditer("-?1", parts[5])))
+            other = "1" if m[0] == "-1" else "-1"
+            yield f"{word}{{{'; '.join([*parts[:5], parts[5][: m.start()] + other + parts[5][m.end() :]])}}}"
     elif word.startswith("dirichlet-domain"):
         units = parts[2].split(" | ")
         yield f"{word}{{{'; '.join([*parts[:2], ' | '.join(units[1:])])}}}"
@@ -168,8 +174,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", default="", help="the beginning of the words of statements")
     args = parser.parse_args()
-    rng, every = random.Random(args.seed), genuine()
+    rng = random.Random(args.seed)
+    every = [data for data in genuine() if data["statement"].startswith(args.only)]
     tally: Counter[str] = Counter()
     breaks = []
     end = time.monotonic() + args.seconds
