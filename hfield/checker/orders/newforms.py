@@ -170,9 +170,12 @@ class FunctionsOnClasses:
         """Return the sum of the values at some ideals c·Iⱼ: f(c·I) is f(I) on which c acts."""
         width = self.values.dimension
         terms = [(j, *self.values.action(c.row)) for j, c in ideals]
-        den = lcm(*(scale for _, _, scale in terms))
-        blocks: dict[int, list[list[int]]] = {}
-        spend(len(terms) * width**2 * (1 + den.bit_length() // 1_000))
+        den = 1
+        for _, _, scale in terms:
+            spend(den.bit_length() * scale.bit_length() // 500_000)
+            den = lcm(den, scale)
+        bits, blocks = den.bit_length(), dict[int, list[list[int]]]()
+        spend(len(terms) * width**2 * (1 + bits // 1_000 + bits * bits // 500_000))
         for j, matrix, scale in terms:
             own = blocks.setdefault(j, [[0] * width for _ in range(width)])
             for total, row in zip(own, matrix, strict=True):
@@ -273,6 +276,7 @@ class FunctionsOnClasses:
         whole: Key = 1, tuple(unit(integers.n, k) for k in range(integers.n))
         size, norm = index(ideal.norm), times_primes(integers, [(P, 1)], whole)
         while index(norm) < size:
+            spend(20 + size.numerator.bit_length() // 100)
             norm = times_primes(integers, [(P, 1)], norm)
         if norm != ideal.norm or not self.order.holds(ideal.den, ideal.rows):
             reject("the norm of the two-sided ideal is no power of the prime")
