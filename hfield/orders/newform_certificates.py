@@ -43,10 +43,9 @@ LEAST_MODULUS, MAX_MODULI = 10**9, 20
 def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
     """Return the Galois orbits of newforms, with eigenvalues at the good primes of norm up to a bound.
 
-    With ``signs``, those of Atkin and Lehner at the primes of the level and the discriminant are added.
-
-    The primes of the operator that tells the newforms apart are added. The checker is not asked about
-    polynomials and weights above 2 over other fields than ℚ.
+    With ``signs``, those of Atkin and Lehner at the primes of the level and the discriminant are added. The
+    primes of the operator that tells the newforms apart are added to those up to the bound. The
+    checker is not asked about polynomials and weights above 2 over other fields than ℚ.
     """
     refusal = None
     if module.weight > MAX_WEIGHT:
@@ -79,7 +78,8 @@ class _NewformEvidence:
             f"{f.field.name}: {','.join(f.field.text(f.eigenvalue(P)) for P in self.primes)}"
             for f in self.forms
         ]
-        signs = [",".join(str(f.sign(P)) for P in self.sign_primes) for f in self.forms]
+        where = list(map(self.module.shown, self.sign_primes))
+        signs = [",".join(str(f.signs[P]) for P in where) for f in self.forms]
         parts = str(self.module.weight), " | ".join(stated) or "none", " | ".join(signs) or "none"
         primes = self.primes, self.sign_primes
         return certificates.of_newforms(self.classes, primes, parts, shown, refusal)

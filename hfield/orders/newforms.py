@@ -105,10 +105,6 @@ class Newform:
         """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
         return {self._module.shown(P): sign for P, sign in self._signs.items()}
 
-    def sign(self, prime: Prime) -> int:
-        """Return the sign at a prime of the base that divides the level or the discriminant."""
-        return self._signs[prime]
-
     @property
     def _exponents(self) -> Level:
         """The primes of the level and of the discriminant, with their exponents."""

@@ -31,7 +31,9 @@ HELP = (
     "List the newforms of weight k that an Eichler order gives, one for each Galois orbit: the field of the "
     "eigenvalues, eigenvalues a_P, and Atkin–Lehner signs w_P. Over QQ they are all newforms of level "
     "D·N, where D is the discriminant of the algebra and N the level of the order, with q-expansions and the "
-    "labels of the LMFDB. Over a totally real field they are Hilbert modular forms of parallel weight."
+    "labels of the LMFDB. Over a totally real field they are Hilbert modular forms of parallel weight. "
+    "--certificate FILE writes a proof that these are all orbits, with their eigenvalues and signs: over QQ in "
+    "weights up to 100, over totally real fields in weight 2."
 )
 DOING = "enumerating classes"
 EXAMPLES = (
