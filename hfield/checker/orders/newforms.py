@@ -37,7 +37,6 @@ from hfield.checker.number_fields.ideals import index, times_primes
 from hfield.checker.number_fields.integers import RATIONAL_FIELD, Prime, coefficients, integer_row
 from hfield.checker.number_fields.matrices import (
     Key,
-    Row,
     Rows,
     hermite,
     longest,
@@ -216,31 +215,24 @@ class FunctionsOnClasses:
         return found
 
     def central_equations(self) -> Iterator[Sum]:
-        """Yield f(I·P) = f(I) for the prime ideals P of the field that generate its class group."""
+        """Yield f(P·I) = f(I) for the prime ideals P of the field that generate its class group.
+
+        The values are numbers: the field is not ℚ, so that the weight is 2.
+        """
         primes = self.given.class_group_primes
         tables = a_list(self.given.data.get("central", []), "the products with ideals of the field")
         if len(tables) != len(primes):
             reject("there are products with each prime ideal that is needed for the class group")
-        width = self.values.dimension
         for P, table in zip(primes, tables, strict=True):
             entries = a_list(table, "the products with a prime ideal")
             if len(entries) != self.size:
                 reject("there is a product of each class with a prime ideal")
             for i, entry in enumerate(entries):
-                j, c, image = self._ideal(entry)
-                around = self.ideals[i]
-                expected = Lattice(around.algebra, around.den, hermite(_times_prime(around, P)))
-                if image.key != expected.key:
+                j, _, image = self._ideal(entry)
+                if image.key != _times_prime(self.ideals[i], P).key:
                     reject("an ideal is not the product with an ideal of the field")
-                found = self._sum([(j, c)])
-                one = tuple(unit(width, n, -found.den) for n in range(width))
-                blocks = {i: one}
-                if i == j:
-                    own = zip(found.blocks[j], one, strict=True)
-                    blocks[j] = tuple(tuple(map(add, x, y)) for x, y in own)
-                else:
-                    blocks[j] = found.blocks[j]
-                yield Sum(found.den, blocks, found.bits + 1)
+                if i != j:
+                    yield Sum(1, {i: ((-1,),), j: ((1,),)}, 1)
 
     def exchange_rows(self, P: Prime, value: object) -> tuple[int, dict[int, Sum]]:
         """Read rows of the operator f(I) ↦ f(I·J) for the two-sided ideal J at a prime of the discriminant.
@@ -280,8 +272,7 @@ class FunctionsOnClasses:
             norm = times_primes(integers, [(P, 1)], norm)
         if norm != ideal.norm or not self.order.holds(ideal.den, ideal.rows):
             reject("the norm of the two-sided ideal is no power of the prime")
-        multiple = Lattice(self.order.algebra, self.order.den, hermite(_times_prime(self.order, P)))
-        if multiple.holds(ideal.den, ideal.rows):
+        if _times_prime(self.order, P).holds(ideal.den, ideal.rows):
             reject("the two-sided ideal is a multiple of the prime")
 
     def dimension(self, equations: Sequence[Sum], p: int) -> int:
@@ -344,9 +335,10 @@ class FunctionsOnClasses:
             reject("an order above is no order, or does not contain the other")
         ratio = self.order.volume / above.volume
         for P in self.level:
-            # P·O′ is in O: O′ is larger at P alone
-            if ratio == P.norm and self.order.holds(above.den, _times_prime(above, P)):
-                return P
+            if ratio == P.norm:
+                inside = _times_prime(above, P)
+                if self.order.holds(inside.den, inside.rows):  # O′ is larger at P alone
+                    return P
         reject("an order above has no prime index at a prime of the level")
 
     def _traces(self, above: Lattice, P: Prime, values: Sequence[object]) -> Iterator[Sum]:
@@ -365,14 +357,15 @@ class FunctionsOnClasses:
             reject("a class lies in no ideal of an order above")
 
 
-def _times_prime(lattice: Lattice, P: Prime) -> list[Row]:
-    """Return rows that span P·L over the integers of the field."""
+def _times_prime(lattice: Lattice, P: Prime) -> Lattice:
+    """Return P·L."""
     algebra = lattice.algebra
     span = [*P.span, tuple(P.p * c for c in algebra.integers.one)]
     lattice.pay(len(span))
-    return [
+    rows = [
         algebra.blockwise(row, algebra.integers.matrix(x)) for x in span for row in lattice.rows
     ]
+    return Lattice(algebra, lattice.den, hermite(rows))
 
 
 def _product(ideal: Lattice, order: Lattice) -> Lattice:
