@@ -11,7 +11,7 @@ import lazy_loader
 
 import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
 
-# The public names are said once, in the stub beside this file, and imported on first use.
+# The public names are listed once, in the stub next to this file, and imported on first use.
 _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 

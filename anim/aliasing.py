@@ -1,7 +1,7 @@
-"""Find the bands that seem to stand, or to turn backwards, in a film of a fast spin.
+"""Find frames of a film of a fast spin in which the bands seem to stand still, or to turn backwards.
 
-A film shows the top at instants. Colours that repeat after a period look the same whether the top has turned
-by an angle or by that angle less a whole number of periods; the eye sees the smallest of these turns.
+A film shows the top at discrete instants. If the colours repeat after a period, turns that differ by a whole
+number of periods look the same, and the eye sees the smallest of them.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,8 @@ from anim.motion import Motion
 
 Floats = NDArray[np.float64]
 
-# Bands that seem to move by less than this part of their period a frame are said to stand.
+# Bands that seem to move by less than this fraction of their period per frame are reported as
+# standing still.
 STANDING = 0.02
 
 
@@ -32,7 +33,7 @@ class ApparentSpin:
 
     @property
     def standing(self) -> NDArray[np.bool_]:
-        """Frames in which the top turns by about a whole period, so that the bands seem to stand."""
+        """Frames in which the top turns by about a whole period, so that the bands seem to stand still."""
         still = np.abs(self.seen) < STANDING * self.period
         return still & (np.abs(self.true) > self.period / 2)
 
@@ -47,7 +48,7 @@ class ApparentSpin:
         return bool(np.any(self.standing | self.backwards))
 
     def message(self) -> str:
-        """Return a sentence about the apparent spin; empty where the bands turn as the top does."""
+        """Return a sentence about the apparent spin; empty if the bands turn like the top."""
         if not self.misleading:
             return ""
         parts = [
@@ -66,8 +67,8 @@ class ApparentSpin:
 def apparent_spin(motion: Motion, bands: int) -> ApparentSpin:
     """Return the spin that a film seems to show, for a top with ``bands`` bands in two alternating colours.
 
-    An even number of bands has a pattern that repeats after two, an odd number only after a whole turn.
-    Raises :class:`~anim.errors.AnimationError` unless ``bands`` is 1 or more.
+    For an even number of bands the pattern repeats after two bands, for an odd number only after a full turn.
+    Raises :class:`~anim.errors.AnimationError` unless ``bands`` is at least 1.
 
     >>> from anim import kinematic, Timeline
     >>> seen = apparent_spin(kinematic(reading=Timeline(spin="accumulated")), 10)

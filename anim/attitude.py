@@ -13,21 +13,22 @@ Floats = NDArray[np.float64]
 
 
 def continuous(q: Floats) -> Floats:
-    """Return the same rotations (n, 4) with signs such that neighbours have a product ≥ 0."""
+    """Return the same rotations (n, 4), with signs such that neighbours have dot product ≥ 0."""
     flips = np.where(np.sum(q[1:] * q[:-1], axis=-1) < 0, -1.0, 1.0)
     signs: Floats = np.concatenate([[1.0], np.cumprod(flips)])
     return np.asarray(q * signs[: len(q), None])
 
 
 def between(p: Floats, q: Floats, fractions: ArrayLike) -> Floats:
-    """Return the attitudes at ``fractions`` of the shortest turn from ``p`` to ``q`` (slerp)."""
+    """Return the attitudes at ``fractions`` of the shortest rotation from ``p`` to ``q`` (slerp)."""
     return np.asarray(product(p, power(product(inverse(p), q), np.asarray(fractions))))
 
 
 def twist(q: Floats) -> Floats:
-    """Return the angles in [−π, π] of the part of each turn that is about its own z axis.
+    """Return the twist about the own z axis of each rotation, as angles in [−π, π].
 
-    A turn is a turn about z followed by one about an axis in the plane z = 0; this is the angle of the first.
+    A rotation is a rotation about z followed by one about an axis in the plane z = 0; this is the angle of
+    the former.
     """
     sign = np.where(q[..., 0] < 0, -1.0, 1.0)
     return np.asarray(2 * np.arctan2(sign * q[..., 3], sign * q[..., 0]))
@@ -48,7 +49,7 @@ def angle_between_directions(u: Floats, v: Floats) -> Floats:
 
 
 def axes(q: Floats) -> Floats:
-    """Return the directions (n, 3) into which attitudes (n, 4) turn the top's own axis."""
+    """Return the directions (n, 3) of the top's axis under attitudes (n, 4)."""
     return np.asarray(np.asarray(to_matrix(q))[:, :, 2])
 
 

@@ -1,4 +1,4 @@
-"""List what the modules of a folder define, one thing for each module, by the names of the modules."""
+"""A catalogue of the objects that the modules of a folder define, one per module, by module name."""
 
 import ast
 from collections.abc import Iterator, Mapping
@@ -14,8 +14,8 @@ T = TypeVar("T", covariant=True)
 class Catalogue(Mapping[str, T]):
     """The objects named ``attribute`` in the modules of a package, by module name.
 
-    Names are read from the folder; a module is imported when its thing is first asked for. A new file in
-    the folder is a new entry, and nothing else has to know of it.
+    Names are read from the folder, and a module is imported when its object is first needed. To add an entry,
+    add a file to the folder; nothing else needs to be changed.
     """
 
     def __init__(self, package: str, attribute: str) -> None:
@@ -29,7 +29,7 @@ class Catalogue(Mapping[str, T]):
 
     @cached_property
     def summaries(self) -> dict[str, str]:
-        """The first lines of the docstrings by the names of the modules, which are not imported."""
+        """The first lines of the docstrings by module name; the modules are not imported."""
         return {name: _summary(f"{self.package}.{name}") for name in self.names}
 
     def __getitem__(self, name: str) -> T:

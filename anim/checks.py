@@ -9,7 +9,7 @@ from anim.errors import AnimationError
 
 
 def whole(name: str, value: Any, least: int, most: int) -> int:
-    """Return ``value`` as an int between ``least`` and ``most``, both allowed."""
+    """Return ``value`` as an int between ``least`` and ``most``, inclusive."""
     try:
         number = index(value)
     except TypeError:
@@ -20,7 +20,7 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 
 
 def real(name: str, value: Any, *, above: float | None = None, least: float | None = None) -> float:
-    """Return ``value`` as a finite float, greater than ``above`` and not less than ``least``."""
+    """Return ``value`` as a finite float that is greater than ``above`` and at least ``least``."""
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError):

@@ -1,8 +1,9 @@
 """Compile Python loops with numba, cache the machine code on disk, and run it without numba.
 
-The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow. To
-import numba takes a second: it is imported only for what is not in `hfield.compiling.disk_cache`. A kernel
-writes into arrays that it is given, makes none and raises nothing, so that its code needs none of numba's.
+The loops of `anim` branch on computed values, point by point, which formula tracing does not support.
+Importing numba takes a second, so it is imported only for code that is not in `hfield.compiling.disk_cache`.
+A kernel writes into given arrays, allocates none and raises no errors, so its code does not need numba's
+runtime.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ _announce = machine_code.Announcer("hfield: compiling a loop by numba, once on t
 
 
 def called(function: F) -> F:
-    """Return ``function`` as it is, for kernels to call: they compile it with themselves."""
+    """Mark a function that kernels call, and return it unchanged; it is compiled together with them."""
     _called.setdefault(function, False)
     return function
 
@@ -79,7 +80,7 @@ _C = {"pointer": c_void_p, "int64": c_int64, "float64": c_double}
 
 
 def _kind(value: Any, values: list[float]) -> Kind:
-    """Return what machine code depends on, and append the numbers that are passed to it.
+    """Return the kind of a value, which determines the machine code, and append its machine words.
 
     The kind is ("u1", 2) for an array, "int64" or "float64" for a number, (class, …) for a tuple.
     """
@@ -111,7 +112,7 @@ def _returns(function: FunctionType) -> bool:
 
 
 def _parts(function: FunctionType) -> set[FunctionType]:
-    """Return a function and all that it calls."""
+    """Return a function and all functions that it calls."""
     found, waiting = set(), [function]
     while waiting:
         part = waiting.pop()
@@ -125,7 +126,7 @@ def _parts(function: FunctionType) -> set[FunctionType]:
 
 
 def written(function: FunctionType, kinds: Sequence[Kind]) -> str:
-    """Return a kernel for arguments of these kinds in LLVM's notation, by numba; its name is ``entry``."""
+    """Return a kernel for arguments of these kinds as LLVM code made by numba; its name is ``entry``."""
     from numba import carray, cfunc, njit, types
     from numba.extending import register_jitable
 
@@ -138,7 +139,7 @@ def written(function: FunctionType, kinds: Sequence[Kind]) -> str:
     signature: list[object] = []
 
     def taken(kind: Kind) -> str:
-        """Return code for an argument in terms of the machine words in which it is passed."""
+        """Return code for an argument, built from the machine words in which it is passed."""
         here = len(names)
         if isinstance(kind, str):
             names.append(f"x{here}")
@@ -158,5 +159,6 @@ def written(function: FunctionType, kinds: Sequence[Kind]) -> str:
     returned = types.float64 if _returns(function) else types.void
     made = cfunc(returned(*signature), **OPTIONS)(names_of_entry["entry"])
     text = made.inspect_llvm().replace(made.native_name, "entry")
-    # Nothing else is to be seen from outside: what is not called, such as numba's errors, then goes.
+    # Nothing else needs to be visible from outside, so code that is not called, such as numba's
+    # errors, is removed.
     return re.sub(r"^define (?:linkonce_odr )?(?!.*@entry\()", "define internal ", text, flags=re.M)

@@ -1,6 +1,6 @@
 """The seconds, frames and frames per second of a film of a motion.
 
-Of four numbers two decide: frames = fps · (seconds of the motion) / (time scale).
+Two of the four numbers determine the others: frames = fps · (seconds of the motion) / (time scale).
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ MAX_FPS = 10_000.0
 
 @dataclass(frozen=True)
 class Clip:
-    """A film of ``frames`` pictures at ``fps`` a second, of a motion of ``seconds`` in its own time.
+    """A film of ``frames`` pictures at ``fps`` frames per second, showing ``seconds`` of a motion.
 
     >>> Clip().duration, Clip(frames=100).interval > 0.1
     (10.0, True)
@@ -41,15 +41,15 @@ class Clip:
 
     @property
     def times(self) -> NDArray[np.float64]:
-        """The instants of the frames in seconds of the motion, (frames,): first 0, last ``seconds``.
+        """The instants of the frames in seconds of the motion, (frames,), from 0 to ``seconds``.
 
-        Both ends are shown, as the thesis's ``linspace`` has it, however many frames there are.
+        Both ends are included, as in the thesis's ``linspace``, for any number of frames.
         """
         return np.linspace(0.0, self.seconds, self.frames)
 
     @property
     def interval(self) -> float:
-        """Seconds of the motion from one frame to the next; 0 for a single frame."""
+        """The seconds of the motion between consecutive frames; 0 for a single frame."""
         return self.seconds / (self.frames - 1) if self.frames > 1 else 0.0
 
 
@@ -59,13 +59,13 @@ def clip(
     duration: float | None = None,
     time_scale: float | None = None,
 ) -> Clip:
-    """Return the film that the numbers given describe; by default 500 frames at 50 a second (section 3.4.1).
+    """Return the film described by the given numbers; by default 500 frames at 50 per second (section 3.4.1).
 
-    ``frames`` alone samples the same ten seconds of motion more or less finely, still at 50 frames a
-    second; ``fps`` alone keeps the ten seconds and has more or fewer frames. ``duration`` is the length of
-    the film in seconds, in which a motion of that length, times ``time_scale``, takes place;
-    ``time_scale`` 0.5 shows the motion at half its speed. Raises :class:`~anim.errors.AnimationError` for
-    frames outside 1 … 1 000 000, for what is not positive, and for frames, fps and duration that disagree.
+    ``frames`` alone samples the same ten seconds of motion more or less finely, still at 50 frames per
+    second; ``fps`` alone keeps the ten seconds and changes the number of frames. ``duration`` is the length
+    of the film in seconds; the motion shown is ``time_scale`` times as long, so ``time_scale`` 0.5 shows it
+    at half speed. Raises :class:`~anim.errors.AnimationError` for frames outside 1 … 1 000 000, for values
+    that are not positive, and for inconsistent frames, fps and duration.
 
     >>> clip(frames=100).time_scale, clip(time_scale=0.5).frames, clip(duration=4).seconds
     (5.0, 1000, 4.0)
@@ -99,7 +99,7 @@ def clip(
 
 
 def _seconds(film: float, measured: bool, scale: float | None) -> float:
-    """Return how long the motion is: ten seconds, unless the film's length or pace was asked for."""
+    """Return the length of the motion: ten seconds, unless the film's length or rate is given."""
     if scale is not None:
         return film * scale
     return film if measured else SECONDS

@@ -41,7 +41,7 @@ def motion_of(source: MotionSource, film: Clip | None = None) -> Motion:
     - the name of one of the thesis's pipelines, or a :class:`~anim.motion.Motion`, returned as it is.
 
     Quaternions need not have norm 1. ``film`` sets another number of frames and another rate; attitudes
-    between those given are interpolated along the shortest rotation. Raises
+    between the given ones are interpolated along the shortest rotation. Raises
     :class:`~anim.errors.AnimationError`.
 
     >>> from math import cos, sin
@@ -76,13 +76,14 @@ class Recorded:
     times: Floats | None = None
 
     def seconds(self, fps: float = FPS) -> float:
-        """Return the duration in seconds; without times each attitude is a frame at rate ``fps``."""
+        """Return the duration in seconds; without times each attitude is one frame at the rate ``fps``."""
         return len(self.attitudes) / fps if self.times is None else float(self.times[-1])
 
     def motion(self, film: Clip | None = None) -> Motion:
-        """Return the motion, by default in frames of its own or, where it has times, 50 a second.
+        """Return the motion; by default each attitude is a frame, or with times there are 50 frames per
+        second.
 
-        Raises :class:`~anim.errors.AnimationError` for a film that goes on after the end.
+        Raises :class:`~anim.errors.AnimationError` for a film that is longer than the motion.
         """
         if film is None:
             film = clip(duration=self.seconds(), time_scale=1.0)
@@ -98,10 +99,10 @@ class Recorded:
 
 
 def read_motion(path: str | Path) -> Recorded:
-    """Return the attitudes in a text file: w, x, y, z on each line, or the seconds before them.
+    """Read attitudes from a text file: w, x, y, z on each line, optionally preceded by the seconds.
 
-    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file other than a
-    table of numbers, and :class:`~anim.errors.AnimationError` for numbers that are no motion. Both name
+    Without seconds each line is a frame. Raises :class:`~hfield.errors.TableError` for a file that is not a
+    table of numbers, and :class:`~anim.errors.AnimationError` for numbers that are not a motion. Both name
     the file and the line.
     """
     table = read_table(path, COLUMNS)

@@ -1,4 +1,4 @@
-"""Draw the top in matplotlib axes: as a picture in plain axes, as a surface in three-dimensional axes."""
+"""Draw the top in matplotlib axes: as a picture in plain axes, or as a surface in three-dimensional axes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,9 @@ PIXELS_PER_EXTENT = 300.0
 def draw_in_axes(
     model: Model, motion: Motion, ax: Axes, t: float, settings: RenderSettings | None
 ) -> Artist:
-    """Draw a top at ``t`` seconds of its motion into ``ax``, as ``Top.draw`` says; return the artist."""
+    """Draw a top at ``t`` seconds of its motion into ``ax``, as described in ``Top.draw``; return
+    the artist.
+    """
     if not hasattr(ax, "add_collection"):
         raise AnimationError(f"ax is a {type(ax).__name__}; expected axes of matplotlib")
     if isinstance(ax, Axes3D):

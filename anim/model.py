@@ -1,8 +1,7 @@
-"""The top's shape: an outline turned about the z axis, its lowest point on the ground at the origin.
+"""The top's shape: an outline rotated about the z axis, with its lowest point at the origin on the ground.
 
-That of the thesis (section 3.3), two cones joined by a band, is ``(radius, z)`` = (0, 0), (1, 1),
-(ρ, 11/10), (0, 3). Of each circle, P₁ (radius 1) and P₂ (radius ρ) there, ``ring`` equally spaced points
-are taken.
+The thesis's top (section 3.3) consists of two cones joined by a band: ``(radius, z)`` = (0, 0), (1, 1), (ρ,
+11/10), (0, 3). Each of its two circles, P₁ (radius 1) and P₂ (radius ρ), has ``ring`` equally spaced points.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -28,8 +27,8 @@ Colour = tuple[int, int, int]
 YELLOW: Colour = (255, 221, 0)
 BLACK: Colour = (0, 0, 0)
 
-# The thesis prints P₂ as x² + y² = (1/3)³. As it stands its radius is 3^(−3/2) ≈ 0.19; with the exponent
-# taken for a misprint of 2 it is 1/3.
+# The thesis prints P₂ as x² + y² = (1/3)³. Read literally, its radius is 3^(−3/2) ≈ 0.19; if the
+# exponent is a misprint for 2, it is 1/3.
 READINGS: Mapping[str, float] = MappingProxyType({"printed": 27**-0.5, "third": 1 / 3})
 
 SHOULDER = (1.0, 1.0)
@@ -42,13 +41,13 @@ MAX_BANDS = 10_000
 
 @dataclass(frozen=True, init=False)
 class Model:
-    """The top as points and polygons; immutable, equal when made from the same values.
+    """The top as points and polygons; immutable; models with the same parameters are equal.
 
-    ``ring`` is the number of points on each circle (3 to 1 000 000), ``bands`` the number of sectors (up to
-    10 000), coloured yellow and black by turns (by default 10, or fewer where the ring is small, always
-    even), ``p2`` the radius of P₂: "printed" (3^(−3/2), the text as it stands), "third" (1/3), or a positive
+    ``ring`` is the number of points on each circle (3 to 1 000 000). ``bands`` is the number of sectors (up
+    to 10 000), coloured alternately yellow and black; the default is 10, or a smaller even number if the ring
+    is small. ``p2`` is the radius of P₂: "printed" (3^(−3/2), as in the text), "third" (1/3), or a positive
     number. Lengths are in the thesis's unit. :meth:`from_outline` makes a top of any other shape. Raises
-    :class:`~anim.errors.AnimationError` for anything else.
+    :class:`~anim.errors.AnimationError` for other values.
 
     >>> top = Model(ring=10)
     >>> top.points.shape, len(top.polygons)
@@ -73,14 +72,15 @@ class Model:
         ring: int = 1000,
         bands: int | None = None,
     ) -> "Model":
-        """Return the solid of revolution of an outline: pairs ``(z, radius)`` from the lowest point up.
+        """Return the solid of revolution of an outline, given as pairs ``(z, radius)`` from the lowest point
+        up.
 
-        ``outline`` is a sequence of two pairs or more, an array (n, 2), or the path of a file with two
-        numbers a line. Heights do not fall, radii are 0 or more, and both are in one unit of your choice:
-        pictures fit any size, and ``Body.turned(model.profile, scale=…)`` takes the length of the unit in
-        metres. The lowest point is put on the ground; where the outline begins or ends off the axis, a flat
-        disc closes it. Raises :class:`~anim.errors.AnimationError`, which names the point, or the file and
-        its line, and :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
+        ``outline`` is a sequence of at least two pairs, an array (n, 2), or the path of a file with two
+        numbers per line. Heights must not decrease, and radii must be nonnegative, both in the same unit.
+        Pictures adapt to any size, and ``Body.turned(model.profile, scale=…)`` takes the length of the unit
+        in metres. The lowest point is placed on the ground. If the outline begins or ends off the axis, a
+        flat disc closes it. Raises :class:`~anim.errors.AnimationError`, which names the point, or the file
+        and its line, and :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
 
         >>> egg = Model.from_outline([(0, 0), (1, 0.8), (2, 1), (3, 0.6), (3.5, 0)], ring=12)
         >>> egg.height, len(egg.polygons)
@@ -94,7 +94,7 @@ class Model:
 
     @classmethod
     def _of(cls, ring: int, bands: int | None, profile: Profile) -> "Model":
-        """Return the model of a profile that needs no check."""
+        """Return the model of a valid profile, without checks."""
         model = cls.__new__(cls)
         model._fill(ring, bands, profile)
         return model
@@ -115,12 +115,12 @@ class Model:
     def __reduce__(
         self,
     ) -> tuple[Callable[[int, int, Profile], "Model"], tuple[int, int, Profile]]:
-        """Pickle the parameters alone, without the arrays computed from them."""
+        """Pickle only the parameters, without the arrays computed from them."""
         return Model._of, (self.ring, self.bands, self.profile)
 
     @property
     def radius(self) -> float:
-        """The radius at the outline's third point; that of P₂ for the thesis's top.
+        """The radius at the outline's third point; for the thesis's top, the radius of P₂.
 
         >>> Model(p2=0.5).radius
         0.5
@@ -134,14 +134,15 @@ class Model:
 
     @property
     def extent(self) -> float:
-        """The distance of the farthest point of the top from the tip."""
+        """The distance from the tip to the farthest point of the top."""
         return max(hypot(r, z) for r, z in self.profile)
 
     @property
     def magnified(self) -> float:
-        """The factor by which pictures enlarge the model, so that its farthest point is 3 from the tip.
+        """The factor that enlarges the model in pictures such that its farthest point has distance 3 from the
+        tip.
 
-        Thus cameras, ground and shadows fit a top of any size.
+        So cameras, ground and shadows fit a top of any size.
 
         >>> small = Model.from_outline([(0, 0), (1, 0.8), (1.5, 0)])
         >>> small.extent, small.magnified, small.scaled(small.magnified).height
@@ -150,7 +151,7 @@ class Model:
         return APEX_HEIGHT / self.extent
 
     def with_profile(self, profile: Profile) -> "Model":
-        """Return a model of another profile with as many points on each circle and as many bands.
+        """Return a model with another profile but the same numbers of points per circle and of bands.
 
         >>> Model(ring=7).with_profile(((0, 0), (1, 1), (0, 2))).polygons[-1]
         (7, 1, 8)
@@ -158,7 +159,7 @@ class Model:
         return self if profile == self.profile else self._of(self.ring, self.bands, profile)
 
     def with_ring(self, ring: int) -> "Model":
-        """Return the model of the same profile with ``ring`` points on each circle.
+        """Return the model of the same profile with ``ring`` points per circle.
 
         >>> Model().with_ring(10) == Model(10)
         True
@@ -171,7 +172,9 @@ class Model:
 
     @cached_property
     def points(self) -> Floats:
-        """The vertices, (circles·ring + 2, 3): tip, the circles from below (P₁, P₂), apex. Read-only."""
+        """The vertices, (circles·ring + 2, 3): tip, the circles from the bottom up (P₁, P₂), apex.
+        Read-only.
+        """
         angle = np.arange(self.ring) * (2 * np.pi / self.ring)
         circle = np.column_stack([np.cos(angle), np.sin(angle)])
         circles = self.profile[1:-1]
@@ -214,7 +217,7 @@ class Model:
 
     @cached_property
     def sectors(self) -> Indices:
-        """The colour band, 0 … bands − 1, of the slice between neighbouring points of the rings, (ring,)."""
+        """The colour band, 0 … bands − 1, of each slice between neighbouring points of the rings, (ring,)."""
         return _frozen(np.arange(self.ring) * self.bands // self.ring)
 
     @cached_property
@@ -228,10 +231,10 @@ class Model:
         return (YELLOW, BLACK)
 
     def triangles(self) -> tuple[Indices, Indices]:
-        """Return the surface as triangles (2·circles·ring, 3), outward, and the colour band of each.
+        """Return the surface as outward triangles (2·circles·ring, 3), and the colour band of each.
 
-        They come piece by piece from the tip: ``ring`` triangles of a piece that ends on the axis, and of
-        another twice as many, the one half of each quadrilateral and then the other.
+        They are listed piece by piece from the tip. A piece that ends on the axis has ``ring`` triangles; any
+        other has twice as many: first one half of each quadrilateral, then the other.
         """
         between = self.sides.reshape(-1, self.ring, 4)
         halves = [faces[:, corners] for faces in between for corners in ([0, 1, 2], [0, 2, 3])]
@@ -239,7 +242,7 @@ class Model:
         return np.concatenate(groups), np.tile(self.sectors, len(groups))
 
     def counts(self) -> dict[str, int]:
-        """Return the numbers of points, triangles, quadrilaterals and polygons, counted.
+        """Return the actual numbers of points, triangles, quadrilaterals and polygons.
 
         >>> Model().counts()
         {'points': 2002, 'triangles': 2000, 'quadrilaterals': 1000, 'polygons': 3000}

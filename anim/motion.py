@@ -1,4 +1,4 @@
-"""A motion: one attitude a frame, and any attitude between frames."""
+"""A motion: one attitude per frame, and interpolated attitudes between frames."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,8 +20,8 @@ Sampler = Callable[[Floats], Floats]
 """From instants (n,) in seconds of the motion to unit quaternions (n, 4),
 or matrices (n, 3, 3), or points (n, 3)."""
 
-# Two instants this far apart, in seconds, tell the angular velocity: a top turns less than half a turn
-# between them up to 10⁵ rad/s.
+# The angular velocity is determined from two instants this far apart, in seconds: up to 10⁵ rad/s a
+# top turns less than half a turn between them.
 APART = 2e-5
 
 
@@ -48,7 +48,7 @@ class Motion:
     """The attitude and place of the top in each frame of a film. Immutable; made by :meth:`sample` or
     :meth:`through`.
 
-    Attitudes turn the model's coordinates into space; the ground is z = 0.
+    Attitudes map the model's coordinates to space; the ground is z = 0.
 
     >>> from anim import kinematic
     >>> kinematic("product").attitudes.shape
@@ -83,9 +83,9 @@ class Motion:
 
     @classmethod
     def through(cls, name: str, clip: Clip, attitudes: ArrayLike) -> "Motion":
-        """Return the motion through given attitudes (frames, 4), by the shortest turns between them.
+        """Return the motion through given attitudes (frames, 4), by the shortest rotations between them.
 
-        Raises :class:`~anim.errors.AnimationError` unless there is one nonzero quaternion a frame.
+        Raises :class:`~anim.errors.AnimationError` unless there is one nonzero quaternion per frame.
         """
         q = np.array(attitudes, dtype=np.float64)
         if q.shape != (clip.frames, 4):
@@ -101,7 +101,7 @@ class Motion:
 
     @property
     def fps(self) -> float:
-        """Frames a second of the film."""
+        """The number of frames per second of the film."""
         return self.clip.fps
 
     @property
@@ -120,7 +120,7 @@ class Motion:
         return attitude.tilts(self.matrices[:, :, 2])
 
     def tips(self, times: ArrayLike) -> Floats:
-        """Return the places (n, 3) of the tip at instants (n,) in seconds, constant beyond the ends."""
+        """Return the positions (n, 3) of the tip at instants (n,) in seconds, constant beyond the ends."""
         instants = np.clip(np.asarray(times, dtype=np.float64), 0.0, self.clip.seconds)
         if self.places is None:
             return np.zeros((len(instants), 3))
@@ -138,8 +138,8 @@ class Motion:
     def between(self, frame: int, fractions: ArrayLike) -> Floats:
         """Return attitudes (n, 4) near ``frame``, at ``fractions`` (n,) of the interval between frames.
 
-        Fraction 0 is the frame itself, 1 the next frame, −1 the one before; for motion blur one takes some in
-        (−½, ½). Raises :class:`~anim.errors.AnimationError` for a frame that is not in the film.
+        Fraction 0 is the frame itself, 1 the next frame, −1 the previous frame; motion blur uses several
+        fractions in (−½, ½). Raises :class:`~anim.errors.AnimationError` for a frame that is not in the film.
         """
         number = whole("frame", frame, 0, self.frames - 1)
         return self.at(self.times[number] + np.asarray(fractions) * self.clip.interval)
@@ -172,7 +172,7 @@ class Shortest:
 
 
 def _both(values: Floats) -> tuple[Floats, Floats]:
-    """Return quaternions and matrices of attitudes given as either."""
+    """Return quaternions and matrices of attitudes given in either form."""
     if values.ndim == 3:
         return attitude.continuous(np.asarray(from_matrix(values))), values
     return attitude.continuous(values), np.asarray(to_matrix(values))

@@ -20,12 +20,12 @@ MAX_OUTLINE_POINTS = 2000
 def checked_outline(
     outline: Iterable[Iterable[float]], place: Callable[[int], str] | None = None
 ) -> Profile:
-    """Return pairs ``(z, radius)`` as a profile that begins and ends on the axis, the lowest point at 0.
+    """Return pairs ``(z, radius)`` as a profile that begins and ends on the axis, with the lowest point at 0.
 
-    ``place`` returns the words for the point of an index, counted from 0. Raises
-    :class:`~anim.errors.AnimationError` for fewer than two points or more than 2000, what is not a pair of
-    finite numbers, a negative radius, a height below the one before, an axis touched between the ends, and
-    an outline without volume.
+    ``place`` returns the description of the point with an index, counted from 0. Raises
+    :class:`~anim.errors.AnimationError` for fewer than two or more than 2000 points, anything but pairs of
+    finite numbers, a negative radius, a decreasing height, an outline that touches the axis between its ends,
+    and an outline without volume.
     """
     where = place or (lambda n: f"point {n + 1} of the outline")
     if isinstance(outline, str) or not isinstance(outline, Iterable):
@@ -61,15 +61,15 @@ def checked_outline(
         profile.insert(0, (0.0, 0.0))
     if profile[-1][0] > 0:
         profile.append((0.0, end - start))
-    # A point that is given twice would be a face without area.
+    # A repeated point would give a face without area.
     return tuple(p for n, p in enumerate(profile) if n == 0 or p != profile[n - 1])
 
 
 def read_outline(path: str | Path) -> Profile:
-    """Return the profile in a text file: z and radius on each line, in one unit.
+    """Return the profile in a text file, with z and radius on each line in the same unit.
 
     Raises :class:`~hfield.errors.TableError` for a file that is not a table, and
-    :class:`~anim.errors.AnimationError` for what is no outline; both name the file and the line.
+    :class:`~anim.errors.AnimationError` for an invalid outline; both name the file and the line.
     """
     table = read_table(path, {2: "z and the radius"})
     return checked_outline(table.rows.tolist(), table.place)

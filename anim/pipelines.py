@@ -1,7 +1,7 @@
 """Four pipelines that compute the same motion (section 3.4), and their differences.
 
-Each pipeline makes of the parameters a unit quaternion or a matrix an instant, by the arithmetic that the
-thesis gives it; the turned points of a top are these times its points.
+Each pipeline computes a unit quaternion or a matrix for each instant from the parameters, with the arithmetic
+of the thesis; it is then applied to the points of the top.
 """
 
 from collections.abc import Callable, Mapping
@@ -28,7 +28,7 @@ ABOUT = {"x": R_x, "y": R_y, "z": R_z}
 
 
 def _spin_and_tilt(reading: Timeline, now: Instants) -> tuple[Floats, Floats]:
-    """Return the first and the second quaternion in the order in which they turn the top."""
+    """Return the first and the second quaternion, in the order in which they rotate the top."""
     spin, tilt = from_axis_angle(VERTICAL, now.spin), from_axis_angle(now.axes, now.angles)
     return (spin, tilt) if reading.order == "spin-first" else (tilt, spin)
 
@@ -41,18 +41,18 @@ def two_rotations(reading: Timeline, now: Instants) -> Floats:
 
 
 def product_quaternion(reading: Timeline, now: Instants) -> Floats:
-    """Multiply the quaternions and turn once (3.4.2, Theorem 7, spin3dOptimized)."""
+    """Multiply the quaternions and rotate once (3.4.2, Theorem 7, spin3dOptimized)."""
     first, second = _spin_and_tilt(reading, now)
     return np.asarray(product(second, first))
 
 
 def product_matrix(reading: Timeline, now: Instants) -> Floats:
-    """Make a matrix of the product of the quaternions (3.4.4, spin3dMatrixRotationFromQuaternion)."""
+    """Compute the matrix of the product of the quaternions (3.4.4, spin3dMatrixRotationFromQuaternion)."""
     return np.asarray(to_matrix(product_quaternion(reading, now)))
 
 
 def euler_matrices(reading: Timeline, now: Instants) -> Floats:
-    """Multiply the matrix of the spin and that of the Euler angles (3.4.3, spin3dMatrixRotation)."""
+    """Multiply the matrix of the spin by that of the Euler angles (3.4.3, spin3dMatrixRotation)."""
     spin, tilt = np.asarray(R_z(now.spin)), np.eye(3)
     for axis, angles in zip(reading.euler, now.euler.T, strict=True):
         tilt = np.asarray(tilt @ ABOUT[axis](angles))
@@ -125,7 +125,9 @@ class PipelineComparison:
         return self.table()
 
     def table(self) -> str:
-        """Return the attitudes' angles and the tilts as a Markdown table: degrees, or radians if tiny."""
+        """Return the angles between the attitudes, and the tilts, as a Markdown table: in degrees, or radians
+        if tiny.
+        """
         rows = [
             f"| | {' | '.join(self.names)} | tilt in the end |",
             "|---" * (len(self.names) + 2) + "|",
@@ -156,7 +158,7 @@ def compare(clip: Clip | None = None, reading: Timeline | None = None) -> Pipeli
 
 
 def _turned_basis(values: Floats) -> Floats:
-    """Return what the pipeline makes of the basis, (n, 3, 3): a quaternion turns it by q·x·q⁻¹."""
+    """Return the images of the basis under each attitude, (n, 3, 3); a quaternion acts by q·x·q⁻¹."""
     if values.ndim == 3:
         return values
     return np.swapaxes(np.asarray(T_q(values[:, None, :], np.eye(3))), -1, -2)

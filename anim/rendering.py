@@ -1,4 +1,4 @@
-"""Draw the frames of a motion in order, in one process or in several, and write them to a file."""
+"""Draw the frames of a motion in order, in one or several processes, and write them to a file."""
 
 from __future__ import annotations
 
@@ -45,10 +45,10 @@ Progress = Callable[[int, int], None]
 def framed(
     settings: RenderSettings, model: Model, motion: Motion, follow: bool | None = None
 ) -> RenderSettings:
-    """Return the settings, with the camera as close as possible to show the whole motion.
+    """Return the settings with the camera as close as possible while the whole motion is visible.
 
-    ``follow`` says whether the camera moves with the top. With None it does if the top would otherwise be
-    small, unless the style has fixed axes.
+    ``follow`` says whether the camera moves with the top. With None it moves if the top would otherwise
+    appear small, unless the style has fixed axes.
     """
     from anim.picture.projection import outermost, rim_points
     from rotation.matrices import to_matrix
@@ -64,7 +64,7 @@ def framed(
 
 
 class Track:
-    """The path of a camera that follows the top: the smoothed path of the middle of the top's axis."""
+    """The path of a camera that follows the top: the smoothed path of the midpoint of the top's axis."""
 
     def __init__(self, model: Model, motion: Motion) -> None:
         self._extent = model.extent
@@ -84,7 +84,7 @@ class Track:
 
     @property
     def is_long(self) -> bool:
-        """Whether the top would be small in a picture that shows its whole path."""
+        """Whether the top would appear small in a picture of its whole path."""
         return bool(np.ptp(self.centres, axis=0).max() > MAX_UNFOLLOWED_EXTENTS * self._extent)
 
     def at(self, time: float) -> tuple[float, float]:
@@ -95,11 +95,11 @@ class Track:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """All that decides the frames: the model, its motion, the settings, and the blur.
+    """Everything that determines the frames: the model, its motion, the settings, and the blur.
 
-    ``blur`` is the part of the time between two frames during which the shutter is open, 0 to 1; a
-    blurred frame is the mean of ``steps`` pictures. ``captions`` is the language, en or pl, in which formula,
-    tilt and spin are written; None: not at all. Raises :class:`~anim.errors.AnimationError`.
+    ``blur`` is the fraction, 0 to 1, of the time between two frames during which the shutter is open; a
+    blurred frame is the mean of ``steps`` pictures. ``captions`` is the language, en or pl, of the captions
+    (formula, tilt and spin); None for no captions. Raises :class:`~anim.errors.AnimationError`.
 
     >>> from anim import RenderSettings, Model, clip, kinematic
     >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), RenderSettings((32, 24)))
@@ -120,17 +120,17 @@ class Scene:
         whole("the steps of the blur", self.steps, 2, 64)
         if self.captions is not None:
             one_of("captions", self.captions, WORDS)
-            strip(self.settings.size, self.captions, self.motion.name)  # refuses what is too small
+            strip(self.settings.size, self.captions, self.motion.name)  # raises if too small
 
     def task(self, number: int) -> FrameTask:
-        """Return the data to draw one frame, small enough to send to another process."""
+        """Return the data for drawing one frame, small enough to send to another process."""
         return self._task(float(self.motion.times[number]), self.motion.matrices[number][None])
 
     def task_at(self, time: float) -> FrameTask:
-        """Return the data to draw the picture at an instant, in seconds of the motion.
+        """Return the data for drawing the picture at an instant, in seconds of the motion.
 
-        At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
-        outside the motion.
+        At the instant of a frame the picture is that frame. Raises :class:`~anim.errors.AnimationError` for
+        an instant outside the motion.
 
         >>> from anim import RenderSettings, Model, clip, kinematic
         >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), RenderSettings((32, 24)))
@@ -150,7 +150,7 @@ class Scene:
         return self._task(instant, np.asarray(to_matrix(motion.at([instant]))))
 
     def _task(self, instant: float, matrices: NDArray[np.float64]) -> FrameTask:
-        """Return the task of an instant, at which the top has the attitude ``matrices`` (1, 3, 3)."""
+        """Return the task of an instant at which the top has the attitude ``matrices`` (1, 3, 3)."""
         from rotation.matrices import to_matrix
 
         motion, instants = self.motion, np.array([instant])
@@ -191,7 +191,7 @@ class Scene:
 
     @cached_property
     def _strip(self) -> int:
-        """How high the strip for the captions is, in pixels."""
+        """The height of the caption strip, in pixels."""
         return strip(self.settings.size, self.captions, self.motion.name) if self.captions else 0
 
     @cached_property
@@ -215,7 +215,7 @@ class Scene:
     def _trail(
         self, instant: float, apex: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | tuple[None, None]:
-        """Return the path (k, 3) to the apex at an instant and its ages (k,), if it is to be drawn."""
+        """Return the path (k, 3) of the apex up to an instant, and its ages (k,), if the path is drawn."""
         if not self.settings.trace:
             return None, None
         times, points = self._path
@@ -227,8 +227,8 @@ class Scene:
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The path of the apex at the resolution of the picture: instants (k,) and points (k, 3).
 
-        The path is also computed between frames if there are few. Points whose absence cannot be seen are
-        left out, so that the cost of a frame does not grow with the length of the film.
+        If there are few frames, the path is also computed between them. Points whose omission is not visible
+        are left out, so that the cost of a frame does not grow with the length of the film.
         """
         from anim.picture.trace import thinned
 
@@ -247,10 +247,10 @@ class Scene:
 
 @dataclass(frozen=True, eq=False)
 class FrameTask:
-    """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
+    """The data of one frame: attitudes (steps, 3, 3) and tip positions (steps, 3) to draw and average.
 
     ``trail`` is the apex's path so far, (k, 3); ``ages`` (k,) are the seconds of the film since it passed
-    each point. ``centre`` (2,) is the place of a camera that follows the top. ``said`` are the captions,
+    each point. ``centre`` (2,) is the position of a camera that follows the top. ``said`` are the captions,
     written above the picture in a strip of ``strip`` pixels; ``widest`` are the widest captions of the film.
     """
 
@@ -284,7 +284,7 @@ def draw(task: FrameTask) -> Pixels:
 
 
 class _Painters(local):
-    """The painters of a thread, reused for every frame; each has its own canvas."""
+    """The painters of a thread, reused for all frames; each has its own canvas."""
 
     def __init__(self) -> None:
         self.painter = lru_cache(maxsize=2)(painter)
@@ -296,7 +296,7 @@ _own = _Painters()
 def frames(
     scene: Scene, executor: Executor | None = None, jobs: int = 1, numbers: range | None = None
 ) -> Generator[Pixels, None, None]:
-    """Yield the frames in order, at most 2·jobs of them in flight; all of them without ``numbers``."""
+    """Yield the frames ``numbers`` (by default all) in order, with at most 2·jobs of them in progress."""
     chosen = range(scene.motion.frames) if numbers is None else numbers
     tasks = (scene.task(number) for number in chosen)
     return ordered(executor or InProcess(), draw, tasks, ahead=2 * jobs if jobs > 1 else 1)
@@ -314,7 +314,7 @@ def render(
 ) -> None:
     """Draw all frames and write them to ``path``, in the format of its suffix.
 
-    The file is whole or is not there. Raises :class:`~anim.errors.AnimationError`.
+    The file is written completely or not at all. Raises :class:`~anim.errors.AnimationError`.
 
     >>> from tempfile import TemporaryDirectory
     >>> from anim.output import Film
@@ -331,7 +331,7 @@ def render(
     from hfield.plotting import import_matplotlib
 
     if jobs > 1:
-        import_matplotlib()  # here first, so that other processes know where its folder is
+        import_matplotlib()  # first here, so that other processes know its folder
 
     def samples() -> list[Pixels]:
         return [draw(scene.task(number)) for number in sampled(film.frames)]
@@ -347,7 +347,7 @@ def render(
 
 
 def contact_sheet(scene: Scene, numbers: list[int]) -> Pixels:
-    """Return the frames of these numbers in one picture (figures 3.3 and 3.4)."""
+    """Return the frames with these numbers in one picture (figures 3.3 and 3.4)."""
     from anim.output.sheet import sheet
 
     return sheet([draw(scene.task(number)) for number in numbers], numbers)

@@ -1,4 +1,4 @@
-"""The section of ``hfield report`` about the top: an animation in a frame, and a still picture on paper."""
+"""The section of ``hfield report`` on the top: an animation in an inline frame, and a still for print."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _WORDS = {
     ),
 }
 
-PLAYER = {  # what the page says, and where: tags and quotes tell a word from the same word in the script
+PLAYER = {  # texts of the page, with tags and quotes that tell them from words in the script
     "pl": {
         ' lang="en"': ' lang="pl"',
         "<title>The spinning top<": "<title>Wirujący bąk<",

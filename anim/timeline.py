@@ -1,8 +1,8 @@
 """The motion of the thesis (section 3.4): its parameters at each instant, and its text form.
 
-A film runs from progress 0 to 1. On the way the axis turns 16 times about the vertical while it leaves
-it, and the speed of the spin falls. ``docs/reference/top.md`` says where the text is ambiguous, and why the
-defaults are what they are.
+A film runs from progress 0 to 1. Meanwhile the axis turns 16 times about the vertical while moving away from
+it, and the speed of the spin decreases. ``docs/reference/top.md`` explains where the text is ambiguous, and
+the choice of defaults.
 """
 
 from dataclasses import dataclass
@@ -74,7 +74,7 @@ class Timeline:
             real("angle", self.angle)
 
     def at(self, progress: Floats, seconds: float) -> Instants:
-        """Return the parameters at ``progress`` (n,), from 0 to 1, of a motion of ``seconds``."""
+        """Return the parameters at ``progress`` (n,), from 0 to 1, for a motion of ``seconds``."""
         if np.any((progress < 0) | (progress > 1)):
             raise AnimationError("the progress of the motion is a number from 0 to 1")
         turn, radius, euler_radius, speed = (

@@ -29,13 +29,13 @@ FRAME_HEIGHT = 480
 
 
 class Top:
-    """A model in motion. In Jupyter it shows itself, as does :meth:`show`.
+    """A model in motion. It displays itself in Jupyter, as :meth:`show` does.
 
-    ``motion`` is a :class:`~anim.motion.Motion`, the name of one of the thesis's pipelines, quaternions
-    (n, 4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions;
-    see :func:`~anim.given_motion.motion_of`. ``clip`` gives the number and rate of frames, unless ``motion``
-    is a Motion, which has its own. Raises :class:`~anim.errors.AnimationError` if ``motion`` is no motion,
-    and :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
+    ``motion`` is a :class:`~anim.motion.Motion`, the name of one of the thesis's pipelines, quaternions (n,
+    4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions; see
+    :func:`~anim.given_motion.motion_of`. ``clip`` gives the number and rate of frames; a Motion has its own.
+    Raises :class:`~anim.errors.AnimationError` if ``motion`` is invalid, and
+    :class:`~hfield.errors.TableError` for a file that is not a table of numbers.
 
     >>> from anim import Model, Top
     >>> Top("product", Model(ring=60))
@@ -75,18 +75,18 @@ class Top:
     def draw(self, ax: Axes, t: float = 0.0, settings: RenderSettings | None = None) -> Artist:
         """Draw the top at ``t`` seconds of the motion into matplotlib axes; return the artist.
 
-        Plain axes get the picture that :meth:`frame` makes, by default with as many pixels as the axes have.
-        Three-dimensional axes get the surface, in the model's unit. Hidden faces are removed correctly from
-        every direction; ``ax.set_aspect("equal")`` keeps the proportions. Raises
-        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a ``settings`` in
-        three-dimensional axes, which have a view of their own.
+        In plain axes the result is the picture of :meth:`frame`, by default with as many pixels as the axes
+        have. In three-dimensional axes it is the surface, in the model's unit; hidden faces are removed
+        correctly from every direction, and ``ax.set_aspect("equal")`` keeps the proportions. Raises
+        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for ``settings`` with
+        three-dimensional axes, which have their own view.
         """
         from anim.matplotlib_axes import draw_in_axes
 
         return draw_in_axes(self.model, self.motion, ax, t, settings)
 
     def page(self) -> str:
-        """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""
+        """Return the web page in which the top spins, as HTML; a physical top is computed live on it."""
         from anim.physics import FreeTop, HeavyTop
         from anim.viewer import Show, curves_of, page
 
@@ -102,11 +102,12 @@ class Top:
         force: bool = False,
         frame: int = 0,
     ) -> None:
-        """Write a film, a web page (.html) or one picture (.png), by the suffix, as ``hfield render`` does.
+        """Write a film, a web page (.html) or one picture (.png), depending on the suffix, like ``hfield
+        render``.
 
-        A name without suffix is a folder of pictures. Without ``settings`` films and pictures are shaded,
-        with trace and shadow; a page has its own. ``frame``, counted from 0, is the one of a picture. Raises
-        :class:`~anim.errors.AnimationError`.
+        A name without a suffix is a folder of pictures. Without ``settings`` films and pictures are shaded,
+        with trace and shadow; a page has its own settings. ``frame``, counted from 0, is the frame of a
+        picture. Raises :class:`~anim.errors.AnimationError`.
         """
         from anim.checks import whole
         from anim.output import Film, check
@@ -139,7 +140,7 @@ class Top:
         return _scene(self.model, self.motion, settings)
 
     def show(self) -> None:
-        """Display the top in a notebook; outside one, write it as a page and open the browser."""
+        """Display the top in a notebook; elsewhere, write it as a page and open the browser."""
         try:
             from IPython import get_ipython
         except ImportError:

@@ -20,12 +20,12 @@ __path__.append(f"{__path__[0]}/former_names")  # whose modules pickles name wit
 
 provide(REGISTRY)
 
-# The public names are said once, in the stub beside this file, and imported on first use.
+# The public names are listed once, in the stub next to this file, and imported on first use.
 _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def __getattr__(name: str) -> object:
-    """Import a public name; for a name of another system, say what to write instead."""
+    """Import a public name; for a name of another system, raise an error with the hfield name."""
     try:
         return _attribute(name)
     except AttributeError as error:

@@ -1,10 +1,10 @@
-"""The errors of hfield. Each message says what was wrong, what was expected and how to mend it."""
+"""The errors of hfield. Each message says what was wrong, what was expected and how to fix it."""
 
 MAX_MESSAGE = 1000  # characters of a message that are shown
 
 
 class HFieldError(Exception):
-    """The root of all errors of this package; the command line prints them in one line.
+    """The base class of all errors of this package; the command line prints them on one line.
 
     A message that quotes a very long input is shortened.
 
@@ -40,7 +40,7 @@ class NotationError(HFieldError, ValueError):
 
 
 class RingError(HFieldError, ValueError):
-    """A base ring does not exist or cannot be built, such as GF(6).
+    """A base ring that does not exist or cannot be built, such as GF(6).
 
     >>> from hfield import GF
     >>> try:
@@ -52,7 +52,7 @@ class RingError(HFieldError, ValueError):
 
 
 class CoercionError(HFieldError, TypeError):
-    """A value is not an element of the wanted ring or algebra.
+    """A value that is not an element of the expected ring or algebra.
 
     >>> from hfield import H
     >>> try:
@@ -100,7 +100,7 @@ class NotFiniteError(HFieldError, TypeError):
 
 
 class LatticeError(HFieldError, ValueError):
-    """A value is not a lattice, order or ideal, or not of the required kind.
+    """A value that is not a lattice, order or ideal, or not one of the required kind.
 
     >>> issubclass(LatticeError, ValueError)
     True
@@ -116,7 +116,7 @@ class IndefiniteError(LatticeError, NotFiniteError):
 
 
 class UndecidedError(HFieldError, ArithmeticError):
-    """No decision procedure applies; the message says what was tried.
+    """No decision procedure applies; the message lists the methods that were tried.
 
     >>> issubclass(UndecidedError, ArithmeticError)
     True
@@ -124,7 +124,7 @@ class UndecidedError(HFieldError, ArithmeticError):
 
 
 class AbsentError(UndecidedError, AttributeError):
-    """An attribute that others of the class have and this object lacks, such as a generator.
+    """An attribute that other objects of the class have but this one lacks, such as a generator.
 
     It is an AttributeError, so that ``getattr`` with a default and ``hasattr`` work.
 
@@ -137,7 +137,7 @@ class AbsentError(UndecidedError, AttributeError):
 class NoSolutionError(HFieldError, ValueError):
     """A question that is proved to have no solution.
 
-    For linear equations ``witness`` is a vector that shows it.
+    For linear equations ``witness`` is a vector that proves it.
 
     >>> NoSolutionError("none", (1,)).witness
     (1,)
@@ -149,9 +149,9 @@ class NoSolutionError(HFieldError, ValueError):
 
 
 class NoEquivalentIdealError(NoSolutionError, UndecidedError):
-    """No equivalent ideal has a norm as asked for: all elements that could give one were tried.
+    """No equivalent ideal has an allowed norm: all elements that could give one were tried.
 
-    It is an :class:`UndecidedError` as well, which is what calls raise where not all were tried, so that
+    It is a subclass of :class:`UndecidedError`, which is raised if not all elements were tried, so that
     ``except UndecidedError`` catches both.
 
     >>> from hfield import QuaternionAlgebra
@@ -173,7 +173,7 @@ class TableError(HFieldError, ValueError):
 
 
 class TooLargeError(HFieldError, ValueError):
-    """A computation refused beforehand, because its result would not fit in time or memory.
+    """A computation refused in advance, because it would take too much time or memory.
 
     >>> issubclass(TooLargeError, ValueError)
     True
@@ -181,7 +181,7 @@ class TooLargeError(HFieldError, ValueError):
 
 
 def shorten(text: object, limit: int = 60) -> str:
-    """Return ``str(text)``, its middle cut out when it is longer than ``limit`` characters."""
+    """Return ``str(text)``, with its middle omitted if it is longer than ``limit`` characters."""
     if isinstance(text, int) and text.bit_length() > 10_000:  # Python refuses to write it
         return f"a number of {text.bit_length()} bits"
     s = str(text)

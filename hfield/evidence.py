@@ -1,7 +1,7 @@
 """Evidence and certificates of claims.
 
-What each kind shows is written in docs/reference/certificates.md. The checker imports none of this: it reads
-the JSON, in its own way.
+The meaning of each kind is described in docs/reference/certificates.md. The checker imports nothing from this
+module; it reads the JSON on its own.
 """
 
 from abc import abstractmethod
@@ -94,7 +94,7 @@ class Kind(StrEnum):
 
 @dataclass(init=False)
 class Evidence:
-    """Evidence of a kind, with its values by their names, in the order in which JSON has them."""
+    """Evidence of a kind: its values by name, in the order of the JSON data."""
 
     kind: Kind
     values: Mapping[str, object]
@@ -106,7 +106,7 @@ class Evidence:
         return self.values[name]
 
     def over(self, ring: Mapping[str, object] | None) -> "Evidence":
-        """Return the same with the ring that it is about, where the statement is about all."""
+        """Return the evidence extended by its ring, for a statement about all rings."""
         return Evidence(self.kind, **{**self.values, "ring": ring})
 
     def to_json(self) -> dict[str, object]:
@@ -127,7 +127,7 @@ def _plain(x: object) -> object:
 
 
 def is_complete(evidence: object) -> bool:
-    """Return whether there is evidence, also for the claims that it uses."""
+    """Return whether there is evidence, including for the claims that it uses."""
     match evidence:
         case Evidence(values=values) | ({} as values):
             return all(
@@ -148,7 +148,7 @@ def certificate(
     assumes: Sequence[str],
     evidence: Evidence,
 ) -> dict[str, object]:
-    """Return a certificate as JSON data, whatever a checker says of it."""
+    """Return a certificate as JSON data, without asking the checker."""
     return {
         "schema": SCHEMA,
         "statement": statement,
@@ -163,7 +163,7 @@ def certificate(
 
 
 def why_rejected(data: dict[str, object]) -> str | None:
-    """Return the reason why the checker rejects a certificate, None if it accepts it."""
+    """Return the reason why the checker rejects a certificate, or None if it accepts it."""
     from hfield.checker.check import Rejected, check
 
     try:
@@ -193,7 +193,7 @@ class NamedAlgebra(Protocol):
 
 @dataclass(frozen=True)
 class CertifiedClaim:
-    """A statement with its evidence; ``algebra`` is one, or a text with ``ring`` beside it."""
+    """A statement with its evidence; ``algebra`` is an algebra, or a text together with ``ring``."""
 
     algebra: NamedAlgebra | str
     statement: str
@@ -212,7 +212,7 @@ class CertifiedClaim:
 
     @cached_property
     def why_no_certificate(self) -> str | None:
-        """The reason why there is no certificate, in a line; None where there is one."""
+        """The reason, on one line, why there is no certificate; None if there is one."""
         return self.refusal or why_rejected(self._data)
 
     @property
@@ -233,13 +233,13 @@ class Certified:
     @property
     @abstractmethod
     def claim(self) -> CertifiedClaim:
-        """The claim to certify: a statement with its evidence."""
+        """The claim of a certificate: a statement with its evidence."""
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+        """The certificate ``hfield-cert/2`` as JSON data, accepted by the checker, or None.
 
-        There is none where the checker would have to do too much, nor for an ideal that is not invertible;
-        ``claim.why_no_certificate`` tells.
+        There is none if checking it would take too long, or for an ideal that is not invertible;
+        ``claim.why_no_certificate`` gives the reason.
         """
         return self.claim.certificate

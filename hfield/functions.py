@@ -1,4 +1,4 @@
-"""Functions of quaternions for users: their methods by the names that they have in the language."""
+"""Functions of quaternions for users: methods under the names of the statement language."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from hfield.fields.base.ring import E
 
 
 def conj(q: Quaternion[E]) -> Quaternion[E]:
-    """Return the standard involution of q (thesis, Definition 3), its method ``conjugate``.
+    """Return the standard involution of q (thesis, Definition 3), as the method ``conjugate`` does.
 
     >>> from hfield import H, QQ
     >>> conj(H(QQ)(1, 2, 0, 1))
     1 - 2*i - k
 
-    Raises :class:`CoercionError` for what is no quaternion.
+    Raises :class:`CoercionError` if q is not a quaternion.
     """
     return _quaternion("conj", q).conjugate()
 
 
 def inv(q: Quaternion[E]) -> Quaternion[E]:
-    """Return the inverse of q, its method ``inverse``.
+    """Return the inverse of q, as the method ``inverse`` does.
 
     >>> from hfield import H, QQ
     >>> inv(H(QQ)(1, 0, 1, 0))
     1/2 - 1/2*j
 
-    Raises :class:`NotInvertibleError` for a zero divisor, :class:`CoercionError` for what is no quaternion.
+    Raises :class:`NotInvertibleError` for a zero divisor, :class:`CoercionError` if q is not a quaternion.
     """
     return _quaternion("inv", q).inverse()
 
@@ -38,7 +38,7 @@ def norm(q: Quaternion[E]) -> E:
     >>> norm(H(QQ)(1, 2, 0, 1))
     6
 
-    Raises :class:`CoercionError` for what is no quaternion.
+    Raises :class:`CoercionError` if q is not a quaternion.
     """
     return _quaternion("norm", q).norm()
 
@@ -50,7 +50,7 @@ def trace(q: Quaternion[E]) -> E:
     >>> trace(H(QQ)(3, 2, 0, 1))
     6
 
-    Raises :class:`CoercionError` for what is no quaternion.
+    Raises :class:`CoercionError` if q is not a quaternion.
     """
     return _quaternion("trace", q).trace()
 
@@ -64,7 +64,7 @@ def conjugator(p: Quaternion[E], q: object) -> Quaternion[E] | None:
     >>> x * i * inv(x)
     j
 
-    Raises :class:`CoercionError` where p is no quaternion.
+    Raises :class:`CoercionError` if p is not a quaternion.
     """
     return _quaternion("conjugator", p).conjugator(q)
 

@@ -1,4 +1,4 @@
-"""Hints for names of other systems: what hfield calls them."""
+"""Hints for names of other systems: the corresponding hfield names."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from typing import ClassVar, NoReturn
 
 
 class ForeignNameError(AttributeError):
-    """A name of another system was used; the message says what to write instead."""
+    """A name of another system was used; the message gives the hfield name."""
 
 
 class ForeignImportError(ImportError):
-    """A name of another system in ``from hfield import …``; the message says what is written here."""
+    """A name of another system in ``from hfield import …``; the message gives the hfield name."""
 
 
 class ForeignName:
-    """A name of another system; access raises an AttributeError with the name to write instead."""
+    """A name of another system; access raises an AttributeError with the hfield name."""
 
     def __init__(self, name: str, hint: str) -> None:
         self.name, self.hint = name, hint
@@ -30,9 +30,9 @@ class ForeignName:
 
 
 class Hinted:
-    """A class whose AttributeError for a name of another system gives the name to write instead.
+    """A class whose AttributeError for a name of another system gives the hfield name.
 
-    A ``__getattr__`` would do it too, and make every other attribute slower to find.
+    ``__getattr__`` would do the same, but make access to every other attribute slower.
 
     >>> from hfield import H, QQ
     >>> H(QQ).ramified_primes()
@@ -321,7 +321,7 @@ lattices, O, O2 orders, I, J ideals of A, G a group of units."""
 
 
 def called_here(name: str) -> str:
-    """Return what to write for a function of another system; nothing for a name that is not known.
+    """Return the hfield name for a function of another system; empty if the name is not known.
 
     >>> called_here("nrd"), called_here("nothing")
     ('q.norm()', '')

@@ -1,7 +1,7 @@
-r"""LaTeX from the product's texts: words with mathematical signs in them, lists, tables, documents.
+r"""LaTeX from hfield's texts: words with mathematical signs, lists, tables, documents.
 
-All that is written is ASCII, so that any LaTeX with amsmath and amssymb sets it. The formulas themselves are
-written from their trees (:mod:`hfield.prover.statements.printing`) and by the rings.
+The output is ASCII and works in every LaTeX with amsmath and amssymb. The formulas themselves are written
+from their trees (:mod:`hfield.prover.statements.printing`) and by the rings.
 """
 
 from __future__ import annotations
@@ -91,14 +91,14 @@ _FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|CDF|GF\(|Qp\()")
 _LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}{_LETTERS_RAISED}{_LETTERS_LOWERED}]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
 _UPRIGHT = {"cos", "sin", "tan", "det", "dim"}
-_ARTICLES = ("−", "…", "...", *"aiouwzAI")  # what may belong to a sentence, in English or Polish
+_ARTICLES = ("−", "…", "...", *"aiouwzAI")  # words of sentences, English or Polish
 _NUMBER = re.compile(r"[\[(]*-?[\d./,-]*[\])]*")
 _UNITS = re.compile(r"[\[(]*[eijk]{2,}[\])]*")  # products of the basis, such as ijk
 _OPERATORS = {"=", "==", "!=", "+", "-", "*", "/", "<", ">", "=>", "<=>", "<=", ">="}
 
 
 def words(text: str) -> str:
-    r"""Return a text as text of LaTeX: its formulas are set between dollars, the rest is escaped.
+    r"""Return a text in LaTeX, with its formulas between dollars and everything else escaped.
 
     >>> words("p·q̄ ≠ 0 over QQ(sqrt(2)), nie więcej")
     '$p\\cdot \\overline{q} \\neq 0$ over $\\mathbb{Q}(\\sqrt{2})$, nie wi\\k{e}cej'
@@ -134,7 +134,7 @@ def words(text: str) -> str:
 
 
 def mathematics(text: str) -> str:
-    """Return a text as LaTeX's mathematics, for within dollars."""
+    """Return a text in LaTeX math mode, without dollars."""
     text = "".join(unicodedata.normalize("NFD", c) if _barred(c) else c for c in text)
     text = re.sub(r"([A-Za-z]\w*)\[(\d+)\]", r"\1₍\2₎", text)
     text = (
@@ -168,7 +168,7 @@ _RADICAND = re.compile(rf"[−-]?\d+|\w+\(|\w[{''.join(_OVER)}{_LOWERED}]*|[(\[�
 
 
 def _roots(text: str) -> str:
-    """Write √ and sqrt( with their operand: a number, a letter, a value f(…), or a group."""
+    """Write √ and sqrt( with the operand: a number, a letter, a value f(…), or a group."""
     text = re.sub(r"(?<![\w\\])sqrt\(", "√(", text)
     for at in reversed([n for n, c in enumerate(text) if c == "√"]):
         found = _RADICAND.match(text, at + 1)
@@ -186,7 +186,7 @@ def _roots(text: str) -> str:
 
 
 def _conjugates(text: str) -> str:
-    """Write conj(…) as a line over its argument."""
+    """Write conj(…) as a bar over its argument."""
     for at in reversed([found.start() for found in re.finditer(r"(?<![\w\\])conj\(", text)]):
         end = _end_of_group(text, at + len("conj"))
         if end is not None:
@@ -195,7 +195,7 @@ def _conjugates(text: str) -> str:
 
 
 def _end_of_group(text: str, start: int) -> int | None:
-    """Return where the group that opens at ``start`` has ended, or None."""
+    """Return the end of the group that opens at ``start``, or None."""
     opening, closing = text[start], _CLOSING[text[start]]
     if opening == closing:
         end = text.find(closing, start + 1)
@@ -209,7 +209,7 @@ def _end_of_group(text: str, start: int) -> int | None:
 
 
 def _marked(found: re.Match[str]) -> str:
-    """Write a letter with marks over it, such as the conjugate of a conjugate."""
+    """Write a letter with accents, such as the conjugate of a conjugate."""
     written = found[1]
     for mark in found[2]:
         written = rf"\{_OVER[mark]}{{{written}}}"
@@ -217,7 +217,7 @@ def _marked(found: re.Match[str]) -> str:
 
 
 def _overlined_groups(text: str) -> str:
-    """Write a mark after a closing parenthesis over all that is inside."""
+    """Write an accent after a closing parenthesis over the whole parenthesised group."""
     text = text.replace("‾", "\u0304")
     for mark, name in _OVER.items():
         while (at := text.find(f"){mark}")) >= 0:
@@ -234,14 +234,14 @@ def _overlined_groups(text: str) -> str:
 
 
 def _inside_out(pattern: re.Pattern[str], by: str, text: str) -> str:
-    """Replace a pattern that may be nested, as in e_{i_1}, until none is left."""
+    """Replace a pattern that may be nested, as in e_{i_1}, until no match is left."""
     while (after := pattern.sub(by, text)) != text:
         text = after
     return text
 
 
 def _separated(found: re.Match[str]) -> str:
-    """Put an empty group between two scripts of the same kind, which TeX needs."""
+    """Put an empty group between two scripts of the same kind, as TeX requires."""
     out = ""
     used: set[str] = set()
     for script in re.findall(r"[\^_]\{[^{}]*\}", found[0]):
@@ -258,7 +258,7 @@ def _named(found: re.Match[str]) -> str:
 
 
 def _is_mathematical(token: str) -> bool | None:
-    """Return whether a token is mathematics; None for a token that follows its neighbours."""
+    """Return whether a token is mathematics; None if that depends on its neighbours."""
     body, _ = _parted(token)
     if _leads(body) or body in _UPRIGHT or _FIELD.match(body.strip("([{")):
         return True
@@ -344,7 +344,7 @@ def _character(char: str, before: list[str] | None = None) -> str:
 
 
 def enumeration(items: Iterable[str]) -> str:
-    """Return a numbered list of items in LaTeX; nothing for no items."""
+    """Return a numbered list in LaTeX; nothing if there are no items."""
     lines = [rf"\item {item}" for item in items]
     return "\n".join([r"\begin{enumerate}", *lines, r"\end{enumerate}"]) if lines else ""
 
@@ -356,7 +356,7 @@ def descriptions(pairs: Iterable[tuple[str, str]]) -> str:
 
 
 def long_table(columns: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table that may run over pages; ``columns`` is LaTeX's, the cells are LaTeX already."""
+    """Return a table that may span pages; ``columns`` is in LaTeX notation, cells are already LaTeX."""
     lines = [" & ".join(row) + r" \\" for row in rows]
     top = " & ".join(head) + r" \\ \hline \endhead"
     return "\n".join([rf"\begin{{longtable}}{{{columns}}}", top, *lines, r"\end{longtable}"])

@@ -15,7 +15,7 @@ def lazy_alias(package: str) -> tuple[Callable[[str], object], Callable[[], list
     """
 
     def get(name: str) -> object:
-        if name.startswith("__"):  # what the import system asks of every module
+        if name.startswith("__"):  # attributes that the import system reads from every module
             raise AttributeError(name)
         return getattr(import_module(package), name)
 

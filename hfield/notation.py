@@ -1,8 +1,8 @@
 """Read algebras from text, and write coordinates as plain text, unicode and LaTeX.
 
-An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
-``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``; ``6`` for the algebra over ℚ
-of that reduced discriminant. What other systems write is read too (``other_systems``).
+An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form ``i² = a +
+i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``; ``6`` for the algebra over ℚ with reduced
+discriminant 6. The notations of other systems are also read (``other_systems``).
 """
 
 import re
@@ -30,8 +30,8 @@ UNNAMED = "F"
 def split_algebra(text: str) -> tuple[str, str, str, str]:
     """Split an algebra's text into the texts of ``a, t, b`` and of the ring.
 
-    ``ℍ`` without a field is Hamilton's over ℝ. Raises :class:`NotationError` when the text has not one of the
-    five forms, and :class:`RingError` for a number that is no discriminant.
+    ``ℍ`` without a field is Hamilton's algebra over ℝ. Raises :class:`NotationError` if the text does not
+    have one of the five forms, and :class:`RingError` for a number that is not a discriminant.
     """
     s = read(text) or text.strip().replace("–", "-")
     if _HAMILTON.fullmatch(s):
@@ -63,9 +63,9 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
 
 
 def constants_of_discriminant(discriminant: int | str) -> tuple[Scalar, Scalar]:
-    """Return constants a and b of the algebra over ℚ with that reduced discriminant.
+    """Return constants a and b of the algebra over ℚ with this reduced discriminant.
 
-    Raises :class:`RingError` for what is no product of different primes.
+    Raises :class:`RingError` unless the discriminant is a product of distinct primes.
     """
     from hfield.fields.quadratic_forms.global_field import known_field
     from hfield.fields.rationals.ring import QQ, ZZ
@@ -97,7 +97,8 @@ def parse_algebra(text: str) -> tuple[Ring, Constants]:
 
 
 def generic(text: str) -> str:
-    """Return ``(a,b|F)`` as ``(a,b|QQ(a,b))``, the algebra with variables for constants; others unchanged.
+    """Return ``(a,b|F)`` as ``(a,b|QQ(a,b))``, the algebra with variables for constants; other texts
+    unchanged.
 
     >>> generic("(a,b|F)"), generic("(-1,-1|F)")
     ('(a,b|QQ(a,b))', '(-1,-1|F)')
@@ -111,14 +112,14 @@ def generic(text: str) -> str:
 
 
 def algebra_text(F: Ring, c: Constants) -> str:
-    """Write an algebra so that :func:`parse_algebra` reads it back."""
+    """Write an algebra in the notation that :func:`parse_algebra` reads."""
     constants = constants_text(F, c)
     bracket = "(" if F.key(c.t) == F.key(F(0)) else "["
     return f"{bracket}{','.join(constants)}|{F.name})"
 
 
 def constants_text(F: Ring, c: Constants, style: str = "plain") -> list[str]:
-    """Write the constants of an algebra, as many as its symbol has: a and b, and t unless it is 0 or 1."""
+    """Write the constants in an algebra's symbol: a and b, and t unless it is 0 or 1."""
     zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))  # keys: with O() little is decided
     # In characteristic 2 −1 is 1, and only Hamilton's algebra is written with it there.
     keys = Constants(*map(F.key, c))
@@ -132,10 +133,10 @@ def constants_text(F: Ring, c: Constants, style: str = "plain") -> list[str]:
 
 
 def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str = "") -> str:
-    """Write ``q`` over the basis.
+    """Write q as a combination of the basis.
 
-    ``unit`` is what stands for e: nothing, so that 2·e is ``2``; or "e", as in Table 1.1, and
-    then −1 is written as such in a finite field too.
+    ``unit`` is the text for e: empty, so that 2·e is ``2``; or ``"e"``, as in Table 1.1. With ``"e"``, −1 is
+    written as −1 in a finite field too.
     """
     return combination_text(F, q, (unit, *BASIS[1:]), style)
 
@@ -143,7 +144,9 @@ def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str =
 def combination_text(
     F: Ring, coordinates: Sequence[Scalar], letters: Sequence[str], style: str = "plain"
 ) -> str:
-    """Write a linear combination of ``letters``, one for each coordinate; the first may be empty."""
+    """Write a linear combination of ``letters``, one letter for each coordinate; the first letter may be
+    empty.
+    """
     times = "*" if style == "plain" else ""
     minus = "−" if style == "unicode" else "-"
     zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))
@@ -172,7 +175,7 @@ def combination_text(
 
 
 def _is_atom(text: str) -> bool:
-    """Return whether a leading minus of the term may be pulled out: no sum outside parentheses."""
+    """Return whether a leading minus sign may be moved out of the term: it has no sum outside parentheses."""
     return not any(char in "+-−" for _, char in outside(text))
 
 

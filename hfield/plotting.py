@@ -1,4 +1,4 @@
-"""Import matplotlib with its own settings instead of a user's."""
+"""Import matplotlib with its default settings instead of the user's."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DATELESS: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".pdf": {"Creati
 
 @dataclass(frozen=True)
 class Theme:
-    """The colours of a page: paper, text, lines and small text, zero."""
+    """The colours of a page: background, text, lines and small text, zero."""
 
     page: str
     ink: str
@@ -36,11 +36,11 @@ DARK = Theme("#11141b", "#eef1f7", "#8a94ad", "#000000", (0.32, 0.78))
 
 
 def import_matplotlib() -> None:
-    """Import matplotlib and its fonts; the list of fonts is built at the first use on a machine.
+    """Import matplotlib and its fonts; the font list is built on first use on a machine.
 
-    With a home that cannot be written it takes a temporary folder, and tells processes started later
-    of it, by the environment. A backend that MPLBACKEND names is left to those who open windows; one that
-    matplotlib does not know is ignored.
+    If the home directory is read-only, a temporary folder is used, and processes started later find it
+    through the environment. A backend named by MPLBACKEND is left for programs that open windows; an unknown
+    one is ignored.
     """
     logger = logging.getLogger("matplotlib")
     level = logger.level
@@ -65,7 +65,7 @@ def import_matplotlib() -> None:
 
 @contextmanager
 def default_settings() -> Iterator[None]:
-    """Draw with matplotlib's own settings, whatever a user's matplotlibrc says."""
+    """Draw with matplotlib's default settings, whatever the user's matplotlibrc says."""
     import_matplotlib()
     import matplotlib as mpl
 
@@ -103,6 +103,8 @@ def titled_page(
 
 
 def save_figure(figure: Figure, path: Path) -> None:
-    """Write a figure; the file depends on no date. Raises OSError, and ValueError for an unknown suffix."""
+    """Write a figure to a file that contains no date. Raises OSError, and ValueError for an unknown
+    suffix.
+    """
     metadata = DATELESS.get(path.suffix.lower(), {})
     figure.savefig(path, facecolor=figure.get_facecolor(), dpi=160, metadata=metadata)

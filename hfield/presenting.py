@@ -12,22 +12,22 @@ from hfield.latex import descriptions, words
 
 
 class AnswerSection(Protocol):
-    """A part of an answer: text lines and LaTeX, either of which may be empty."""
+    """A section of an answer, as text lines and as LaTeX; either may be empty."""
 
     def page(self, width: int) -> Sequence[str]:
-        """Return the lines of a page."""
+        """Return the lines of the section."""
 
     def latex(self) -> str:
-        """Return LaTeX that stands in a document with amsmath."""
+        """Return LaTeX for a document with amsmath."""
 
 
 def page(parts: Iterable[AnswerSection], width: int) -> str:
-    """Lay out parts on a page, with an empty line between them."""
+    """Lay out sections on a page, with an empty line between them."""
     return "\n\n".join("\n".join(lines) for part in parts if (lines := part.page(width)))
 
 
 def latex(parts: Iterable[AnswerSection]) -> str:
-    """Set parts in LaTeX as paragraphs; a table belongs to the one before it."""
+    """Write sections in LaTeX as paragraphs; a table belongs to the paragraph before it."""
     text = ""
     for part in parts:
         if written := part.latex():
@@ -36,9 +36,9 @@ def latex(parts: Iterable[AnswerSection]) -> str:
 
 
 def hanging(head: str, text: str, width: int, whole: bool = False) -> list[str]:
-    """Return a text as lines of a width beside its head, with a hanging indent.
+    """Return a text as wrapped lines after its head, with a hanging indent.
 
-    A word that is wider than its column is broken, or stays ``whole``.
+    A word wider than the column is broken, unless ``whole`` is set.
 
     >>> hanging("basis  ", "1, i, j, 1/2 + i", 15)
     ['basis  1, i, j,', '       1/2 + i']
@@ -65,7 +65,7 @@ def aligned(grid: Sequence[Sequence[str]], align: str, indent: str = "") -> list
 
 @dataclass(frozen=True)
 class LayoutBlock:
-    """A block with its own layout: lines of a width, and LaTeX."""
+    """A block with its own layout: a function from a width to lines, and LaTeX."""
 
     page: Callable[[int], Sequence[str]]
     latex: Callable[[], str] = str
@@ -75,7 +75,8 @@ class LayoutBlock:
 class Facts:
     """Labels with their texts, indented below an optional title.
 
-    A fact without a label goes on with the one above. ``formulas`` are LaTeX by label, in place of words.
+    A fact without a label continues the previous one. ``formulas`` maps labels to LaTeX that replaces the
+    text.
     """
 
     facts: Sequence[tuple[str, str]]
@@ -84,7 +85,7 @@ class Facts:
     formulas: Mapping[str, str] = field(default_factory=dict)
 
     def page(self, width: int) -> list[str]:
-        """Return the title and the facts; words that are wider than the page are cut below a title."""
+        """Return the title and the facts; below a title, words wider than the page are broken."""
         indent = "  " * bool(self.title)
         lines = [self.title] if self.title else []
         for label, text in self.facts:
@@ -97,7 +98,7 @@ class Facts:
         return lines
 
     def latex(self) -> str:
-        """Return a list of descriptions, as a paragraph where there is a title."""
+        """Return a description list; with a title it is a paragraph."""
         pairs: list[tuple[str, str]] = []
         for label, text in self.facts:
             written = self.formulas.get(label) or words(text)
@@ -111,10 +112,10 @@ class Facts:
 
 @dataclass(frozen=True)
 class TextTable:
-    """Rows of texts in columns, of which the last one wraps; ``align`` has < or > for each of the others.
+    """Rows of texts in columns; the last column wraps, and ``align`` has < or > for each of the others.
 
-    In LaTeX ``columns`` aligns as many of them, and ``cells`` sets what is not words. A ``title`` and what is
-    said ``below`` are for pages.
+    In LaTeX ``columns`` is the alignment of the columns, and ``cells`` formats cells that are not words.
+    ``title`` and ``below`` appear on pages only.
     """
 
     rows: Sequence[Sequence[str]]
@@ -127,7 +128,7 @@ class TextTable:
     cells: Mapping[int, Callable[[str], str]] = field(default_factory=dict)
 
     def page(self, width: int) -> list[str]:
-        """Return the table in lines."""
+        """Return the lines of the table."""
         grid = [self.head, *self.rows] if self.head else self.rows
         starts = aligned([row[:-1] for row in grid], self.align, self.indent)
         lines = [self.title] if self.title else []
@@ -136,7 +137,7 @@ class TextTable:
         return [*lines, self.below] if self.below else lines
 
     def latex(self) -> str:
-        """Return a tabular, with a line under its head."""
+        """Return a LaTeX tabular, with a line below its head."""
         lines = [rf"\begin{{tabular}}{{{self.columns}}}"]
         if self.head:
             lines.append(" & ".join(self.head[: len(self.columns)]) + r" \\ \hline")

@@ -38,7 +38,8 @@ def export_session(answers: Iterable[Answer]) -> str:
     return export_session(answers).text
 
 
-# What can be asked of an algebra, in the order of a lesson: a title, what it is about, and the names.
+# The methods and attributes of an algebra, in the order of a lesson: a title, the subject, and the
+# names.
 LESSON = (
     ("elements", "A(1, 2, 0, 1), A('1 + 2i')", "basis one zero ring constants random_element elements"),
     ("product", "how the basis multiplies", "table_text multiplication_table explain_product draw"),
@@ -60,7 +61,7 @@ HISTORY_LINES = 2000
 
 
 def completions(value: object, prefix: str) -> list[str]:
-    """Return the public names of a value with a prefix; names of an algebra in the order of the lesson.
+    """Return the public names of a value with a prefix; those of an algebra in the order of the lesson.
 
     >>> from hfield import H
     >>> completions(H("GF(3)"), "")[:4], completions(H("GF(3)"), "unit")
@@ -78,7 +79,7 @@ def completions(value: object, prefix: str) -> list[str]:
 
 
 class Help:
-    """Python's ``help``; of an algebra it shows one screen."""
+    """Python's ``help``, which shows a one-screen overview for an algebra."""
 
     def __call__(self, *things: object) -> None:
         """Print help."""
@@ -115,9 +116,10 @@ _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def python_source(text: str) -> str:
-    """Translate a typed line to Python: ``2i`` is a product, ``^`` a power, and printed signs are read.
+    """Translate a typed line to Python: ``2i`` is a product, ``^`` a power; printed mathematical signs are
+    read.
 
-    Strings and comments stay as they are.
+    Strings and comments are not changed.
 
     >>> python_source("(2i + 3j)^2 − k·'2i^2'")
     "(2*i + 3*j)**2 - k*'2i^2'"
@@ -135,12 +137,12 @@ def _plain_code(text: str) -> str:
 
 
 def with_symbols(A: QuaternionAlgebra, symbols: Sequence[str]) -> QuaternionAlgebra:
-    """Return the algebra over the rational functions in these variables; itself if there are none."""
+    """Return the algebra over rational functions in these variables; the algebra itself if there are none."""
     return A.change_ring(f"{A.ring.name}({','.join(symbols)})") if symbols else A
 
 
 def namespace(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> dict[str, object]:
-    """Return the names of a session: the public ones, ``A``, ``F``, its generators, symbols, ``e i j k``."""
+    """Return the names of a session: the public names, ``A``, ``F``, its generators, symbols, ``e i j k``."""
     from fractions import Fraction
 
     names = {name: getattr(hfield, name) for name in dir(hfield)}
@@ -154,7 +156,7 @@ def namespace(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> dict[str, ob
 
 
 def banner(A: QuaternionAlgebra) -> str:
-    """Return the greeting: the algebra, and a few lines to try."""
+    """Return the greeting: the algebra, and a few example lines."""
     generators = "".join(f", {name}" for name in A.ring.names())
     return f"""\
 hfield {hfield.__version__}: A = {shorten(A, 40)} over F; e, i, j, k{generators}
@@ -172,7 +174,7 @@ F(1)/2 or Fraction(1, 2) is a half; Python's own 1/2 is a float and is refused.
 
 
 def start(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> int:
-    """Run a session and return its exit status; text piped in is run without prompts."""
+    """Run a session and return its exit status; piped input is run without prompts."""
     names = namespace(A, symbols)
     if not sys.stdin.isatty():
         return _run_piped(names)
@@ -183,7 +185,7 @@ def start(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> int:
 
 
 def _ipython() -> type[TerminalIPythonApp] | None:
-    """Return the class of IPython's terminal sessions, None where IPython is not installed."""
+    """Return the class of IPython's terminal sessions, or None if IPython is not installed."""
     try:
         from IPython.terminal.ipapp import TerminalIPythonApp
     except ImportError:
@@ -193,7 +195,7 @@ def _ipython() -> type[TerminalIPythonApp] | None:
 
 
 class _Console(InteractiveConsole):
-    """Python's own console; our own errors are printed in one line."""
+    """Python's own console; errors of hfield are printed on one line."""
 
     failed = False
 
@@ -219,7 +221,7 @@ class _Console(InteractiveConsole):
 
 
 def mend_of_name(error: NameError) -> str:
-    """Return what to write for an undefined name; nothing if that is not known.
+    """Return a hint for an undefined name, or nothing.
 
     >>> mend_of_name(NameError("", name="BrandtModule")), mend_of_name(NameError("", name="ij"))
     ("NameError: there is no 'BrandtModule': write O.class_set()", "NameError: there is no 'ij': write i*j")
@@ -238,7 +240,7 @@ def _one_line(error: BaseException) -> str:
 
 
 def _run_piped(names: dict[str, object]) -> int:
-    """Run the lines of stdin, as if typed; 1 if one of them failed."""
+    """Run the lines of stdin as if typed; return 1 if one of them failed."""
     console = _Console(names, "<stdin>")
     more = False
     for line in sys.stdin:
@@ -261,7 +263,7 @@ def _run_plain(names: dict[str, object], greeting: str) -> int:
             return _attributes(names, text) or super().attr_matches(text)
 
     def show(substitution: str, matches: Sequence[str], longest: int) -> None:
-        """Show completions in their order: readline would sort them."""
+        """Show completions in the given order; readline would sort them."""
         from textwrap import fill
 
         found = _attributes(names, readline.get_line_buffer()) or list(matches)
@@ -286,7 +288,7 @@ def _run_plain(names: dict[str, object], greeting: str) -> int:
 
 
 def history_file() -> Path:
-    """Return where lines of sessions are kept: below ``XDG_STATE_HOME``, or ``~/.local/state``."""
+    """Return the path of the session history: below ``XDG_STATE_HOME``, or ``~/.local/state``."""
     state = os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state"
     return Path(state) / "hfield" / "history"
 
@@ -295,7 +297,7 @@ _ATTRIBUTE = re.compile(r"([A-Za-z_]\w*)\.(\w*)$")
 
 
 def _attributes(names: Mapping[str, object], line: str) -> list[str]:
-    """Return the completions of what ends in ``NAME.prefix``, the name being one of the session."""
+    """Return the completions of a line that ends in ``NAME.prefix``, if NAME is a name of the session."""
     found = _ATTRIBUTE.search(line)
     if found is None or found[1] not in names:
         return []
@@ -332,7 +334,7 @@ def _run_ipython(app: type[TerminalIPythonApp], names: dict[str, object], greeti
 
 
 def _complete_in_order(shell: InteractiveShell, names: Mapping[str, object]) -> None:
-    """Let IPython complete the names of an algebra in the order of the documentation."""
+    """Make IPython complete the names of an algebra in the order of the documentation."""
     from hfield.algebra import QuaternionAlgebra
 
     try:

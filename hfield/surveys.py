@@ -1,7 +1,6 @@
-"""Compute tables of class sets, or of groups of units, over ranges of algebras, row by row.
+"""Compute tables of class sets, or of unit groups, over ranges of algebras, row by row.
 
-Rows are appended to a journal as they come, whole pieces at a time, and only what is missing in it is
-computed.
+Rows are appended to a journal in blocks as they are computed, and only rows missing from it are computed.
 """
 
 from __future__ import annotations
@@ -86,12 +85,12 @@ class Survey(Generic[X]):
 
 
 def definite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair[int]]:
-    """Return the pairs (D, N) of a definite algebra and a level prime to its discriminant."""
+    """Return the pairs (D, N) of the discriminant of a definite algebra and a level prime to it."""
     return _pairs(discriminants, levels, 1)
 
 
 def indefinite_pairs(discriminants: Iterable[int], levels: Iterable[int]) -> list[Pair[int]]:
-    """Return the pairs (D, N) of an indefinite algebra and a level prime to its discriminant."""
+    """Return the pairs (D, N) of the discriminant of an indefinite algebra and a level prime to it."""
     return _pairs(discriminants, levels, 0)
 
 
@@ -106,9 +105,9 @@ def _pairs(discriminants: Iterable[int], levels: Iterable[int], parity: int) -> 
 
 
 def field_pairs(fields: Iterable[str], norms: Iterable[int]) -> list[Pair[str]]:
-    """Return the pairs of a field and a level, an ideal with one of these norms, prime to the discriminant.
+    """Return pairs (field, level): ideals with one of these norms, prime to the discriminant.
 
-    The algebra is ramified at the real places, and for an odd number of them at a prime over 2 of least norm.
+    The algebra is ramified at the real places; if their number is odd, also at a prime over 2 of least norm.
     """
     wanted, found = list(norms), []
     for name in fields:
@@ -151,7 +150,9 @@ def _definite(name: str) -> QuaternionAlgebra:
 
 
 def field_row(pair: Pair[str], most: int) -> Row:
-    """Return the classes of an order over the integers of a field, unless their mass is above ``most``."""
+    """Return the row of the classes of an order over the integers of a field; not if the mass exceeds
+    ``most``.
+    """
     name, text = pair
     A, K = _definite(name), _number_field(name)
     order = A.eichler_order(K.ideal([A.ring(word) for word in text.split(", ")]))
@@ -177,7 +178,7 @@ def field_row(pair: Pair[str], most: int) -> Row:
 
 
 def group_row(pair: Pair[int], most: int) -> Row:
-    """Return the group of units of norm 1 of an Eichler order over ℤ; its domain for areas up to 2π·most."""
+    """Return the unit group of norm 1 of an Eichler order over ℤ; with its domain for areas up to 2π·most."""
     d, n = pair
     A = QuaternionAlgebra.from_ramification("QQ", sorted(factorise(d)) if d > 1 else [])
     G = A.eichler_order(n).norm_one_group()
@@ -234,7 +235,7 @@ GROUPS = Survey(group_row, ("discriminant", "level"))
 
 
 def rows(task: tuple[Survey[X], list[Pair[X]], int]) -> list[Row]:
-    """Return the rows of a piece."""
+    """Return the rows of a block of pairs."""
     survey, pairs, most = task
     return [survey.row(pair, most) for pair in pairs]
 
@@ -247,7 +248,7 @@ class Plan(Generic[X]):
     pairs: list[Pair[X]]
 
     def run(self, executor: Executor, most: int, done: Set[object]) -> Iterator[list[Row]]:
-        """Yield the rows of the pairs that are not done, a piece at a time, as they are finished."""
+        """Yield the rows of the pairs that are not done, one block at a time, as they are finished."""
         missing = [pair for pair in self.pairs if pair not in done]
         pieces = [
             (self.survey, missing[n : n + PIECE], most) for n in range(0, len(missing), PIECE)

@@ -27,14 +27,14 @@ OfSympy: TypeAlias = "sympy.Basic | sympy.MutableDenseMatrix | tuple[OfSympy, ..
 
 
 def to_sympy(x: object, symbols: Iterable[sympy.Symbol] = ()) -> OfSympy:
-    """Return x as an object of sympy: an expression of a scalar, a ``sympy.Quaternion`` of an element.
+    """Return x as a sympy object: a scalar as an expression, an element as a ``sympy.Quaternion``.
 
-    Elements of algebras other than (−1, −1 | F) become 4 × 1 matrices of their coordinates. A matrix becomes
-    one of sympy, or a 3-dimensional array of coordinates; a polynomial over an algebra an element with
-    polynomials as coordinates; rows of scalars a matrix; other tuples and lists those of expressions.
-    Residues are represented by 0 … n − 1. ``symbols`` are used for variables of their names, with their
-    assumptions. What comes out is read back as an equal element. Raises :class:`CoercionError` for what
-    sympy cannot express, such as p-adic numbers.
+    Elements of algebras other than (−1, −1 | F) become 4 × 1 matrices of their coordinates. A matrix over an
+    algebra becomes a sympy matrix, or a 3-dimensional array of coordinates; a polynomial over an algebra
+    becomes an element with polynomials as coordinates; rows of scalars become a matrix; other tuples and
+    lists become tuples and lists of expressions. Residues are represented by 0 … n − 1. ``symbols`` are used
+    for the variables with their names, with their assumptions. Reading the result back gives an equal
+    element. Raises :class:`CoercionError` for values that sympy cannot express, such as p-adic numbers.
 
     >>> from hfield import H
     >>> A = H("QQ(a,b)")
@@ -71,12 +71,12 @@ def element_to_sympy(
     coordinates: Iterable[Scalar],
     symbols: Mapping[str, sympy.Symbol],
 ) -> OfQuaternion:
-    """Return the element with these coordinates: a quaternion of sympy, or a 4 × 1 matrix."""
+    """Return the element with these coordinates, as a sympy quaternion or a 4 × 1 matrix."""
     return of_coordinates(ring, constants, [ring.to_sympy(x, symbols) for x in coordinates])
 
 
 def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Expr]) -> OfQuaternion:
-    """Return a quaternion of sympy, or a 4 × 1 matrix, with these coordinates."""
+    """Return the sympy quaternion, or 4 × 1 matrix, with these coordinates."""
     import sympy
 
     if is_hamilton(ring, constants):
@@ -85,7 +85,7 @@ def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Exp
 
 
 def is_hamilton(ring: Ring, constants: Constants) -> bool:
-    """Return whether the structure constants are −1 and −1, as sympy's quaternions have them."""
+    """Return whether the structure constants are −1 and −1, as for sympy's quaternions."""
     minus_one = ring(-1)
     return (
         ring.equal(constants.a, minus_one)
@@ -95,7 +95,7 @@ def is_hamilton(ring: Ring, constants: Constants) -> bool:
 
 
 def coordinates_in(x: object) -> tuple[object, ...] | None:
-    """Return the four coordinates of a quaternion, a 4 × 1 matrix or a 4-tuple of sympy, or None."""
+    """Return the four coordinates of a sympy quaternion, 4 × 1 matrix or 4-tuple, or None."""
     if not is_of_sympy(x):
         return None
     if is_quaternion(x):
@@ -114,7 +114,7 @@ def is_quaternion(x: object) -> TypeGuard[sympy.Quaternion]:
 
 
 def as_list(x: object) -> object:
-    """Return an array or a matrix of sympy as nested lists, and anything else unchanged."""
+    """Return a sympy array or matrix as nested lists, and anything else unchanged."""
     return x.tolist() if is_of_sympy(x) and hasattr(x, "tolist") else x
 
 
@@ -129,7 +129,7 @@ def variable_name(x: object) -> str:
 
 
 def values_given(values: Substitution | None, named: Mapping[str, object]) -> dict[str, object]:
-    """Return the values of variables by their names. Raises :class:`CoercionError` for unclear ones."""
+    """Return the values of variables by name. Raises :class:`CoercionError` for unclear ones."""
     if values is not None and not isinstance(values, Mapping):
         raise CoercionError(
             f"expected values of variables, as in subs({{x: 1}}) or subs(x=1), not {shorten(repr(values))}"
@@ -146,11 +146,11 @@ def values_given(values: Substitution | None, named: Mapping[str, object]) -> di
 def substitution(
     ring: Ring, values: Mapping[str, object]
 ) -> tuple[Ring, Callable[[Scalar], Scalar]]:
-    """Return the ring in which values for variables lie, and the homomorphism into it.
+    """Return the ring that contains the values of variables, and the homomorphism into it.
 
-    It is the ring of constants where every variable has a value there, RR or CC where it has one among the
-    algebraic numbers, else the ring itself. Raises :class:`CoercionError` for what is no variable, and for
-    values that are in none of these.
+    If every variable has a value, it is the ring of constants, or RR or CC for algebraic numbers, provided
+    that it contains the values; otherwise it is the ring itself. Raises :class:`CoercionError` for anything
+    but a variable, and for values in none of these rings.
     """
     for name in values:
         if name not in ring.variable_names:

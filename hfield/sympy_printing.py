@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class PrintedBySympy:
-    """A class with ``__str__``, ``__repr__`` and ``_repr_latex_``, which sympy prints by these.
+    """A class with ``__str__``, ``__repr__`` and ``_repr_latex_``, which sympy uses to print its objects.
 
     >>> import sympy
     >>> from hfield import H

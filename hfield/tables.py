@@ -1,4 +1,4 @@
-"""Read tables of numbers from text files with one row on each line."""
+"""Read tables of numbers from text files, one row per line."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -29,8 +29,8 @@ class NumberTable:
 def read_table(path: str | Path, columns: Mapping[int, str]) -> NumberTable:
     """Return the numbers of a text file, separated by semicolons, commas, or spaces and tabs.
 
-    Empty lines and comments after ``#`` are skipped. A first line without any number is a heading.
-    ``columns`` maps each allowed number of columns to a description; all rows have the same length. Raises
+    Empty lines and comments after ``#`` are skipped. A first line without numbers is a heading. ``columns``
+    maps each allowed number of columns to a description; all rows must have the same length. Raises
     :class:`TableError`, which names the file and the line.
     """
     file = Path(path)
@@ -76,7 +76,9 @@ def read_table(path: str | Path, columns: Mapping[int, str]) -> NumberTable:
 
 
 def _fields(line: str) -> list[str]:
-    """Return the fields of a line, at semicolons, else at commas, else at spaces; none of an empty line."""
+    """Return the fields of a line, separated by semicolons, else commas, else spaces; none for an
+    empty line.
+    """
     text = line.partition("#")[0].strip()
     separator = next((mark for mark in ";," if mark in text), None)
     return [field.strip() for field in text.split(separator)] if text else []

@@ -15,11 +15,12 @@ W = TypeVar("W")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Verdict(Generic[W]):
-    """Yes or no with the reason, a sentence: true or false in an ``if``, and equal to True or False.
+    """The answer to a yes-or-no question, with a reason; true or false in an ``if``, and equal to True or
+    False.
 
-    ``witness`` is what shows it, such as an element or a matrix, or None. ``theorem`` names the theorem that
-    decided where no witness was computed. ``make_claim`` returns the statement with its evidence, of which
-    the certificate is made; it is called on first use.
+    ``witness`` is the evidence, such as an element or a matrix, or None. ``theorem`` names the theorem that
+    decided if no witness was computed. ``make_claim`` returns the statement with its evidence for the
+    certificate; it is called on first use.
 
     >>> answer = Verdict(False, "their norms differ: 1 and 2")
     >>> bool(answer), answer == False, answer.element, answer.certificate
@@ -43,7 +44,7 @@ class Verdict(Generic[W]):
 
     @property
     def element(self) -> W | None:
-        """The witness, where it is an element."""
+        """The witness, if it is an element."""
         return self.witness
 
     @cached_property
@@ -53,12 +54,12 @@ class Verdict(Generic[W]):
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None."""
+        """The certificate ``hfield-cert/2`` as JSON data, accepted by the checker, or None."""
         return None if self.claim is None else self.claim.certificate
 
     @property
     def why_no_certificate(self) -> str | None:
-        """The reason why there is no certificate, in a line; None where there is one."""
+        """The reason, on one line, why there is no certificate; None if there is one."""
         if self.claim is None:
             return "certificates have no statement about this"
         return self.claim.why_no_certificate
@@ -75,7 +76,7 @@ class Verdict(Generic[W]):
         return tuple(getattr(self, entry.name) for entry in fields(self) if entry.compare)
 
     def __hash__(self) -> int:
-        return hash(self.value)  # as those of True and False, which may be equal
+        return hash(self.value)  # like those of True and False, to which it may be equal
 
     def __repr__(self) -> str:
         shown = "" if self.witness is None else f" with {self.witness}"

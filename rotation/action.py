@@ -1,4 +1,4 @@
-"""Rotate small numbers of points, for every representation of rotations.
+"""Rotate a few points, for every representation of rotations.
 
 Results are within 5·2⁻⁵²·‖v‖ of the exact image, like those of the kernels. A point with NaN or inf becomes
 NaN.
@@ -25,13 +25,14 @@ from rotation.native.pairs import plus_product
 from rotation.rowwise import RowFormula, flag_if, rarely
 from rotation.vectors import about_axis
 
-# Up to so many points the formulas are faster than the kernels, which take longer to begin: by one rotation,
-# by quaternions of their own, and by axes and angles of their own, whose sines are here the system's.
+# Up to these numbers of points the formulas are faster than the kernels, which take longer to
+# start: for one rotation; for one quaternion per point; and for one axis and angle per point, with
+# the system's sines.
 FEW, FEW_OWN, FEW_SINES = 25_000, 8_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:
-    """Rotate v; values near the ends of the range of floats are scaled by a power of two."""
+    """Rotate v; values close to the limits of floats are scaled by a power of two first."""
     xp = namespace(v[0])
     f = factor(xp, v)
     spoilt = unchanging(xp, v)
@@ -67,7 +68,7 @@ def _by_matrix(matrix: Array, points: Array) -> Array:
 
 
 def turned_by(q: Coordinates, v: Coordinates, inverse: bool) -> Coordinates:
-    """Return vectors turned by unit quaternions, or by their inverses."""
+    """Return vectors rotated by unit quaternions, or by their inverses."""
     m = matrix_entries(q)
     return _by_entries(zip(*m, strict=True) if inverse else m, v)
 
@@ -84,7 +85,7 @@ def _about_axis(axis: Array, angle: Array, points: Array, degrees: bool) -> Arra
 
 
 def turned_about(axes: Iterable[int], waves: Iterable[Coordinates], v: Coordinates) -> Coordinates:
-    """Return vectors turned about coordinate axes, one after the other; ``waves`` are (sine, cosine)."""
+    """Return vectors rotated about coordinate axes, one after another; ``waves`` are pairs (sine, cosine)."""
     image = list(v)
     for (s, c), axis in zip(waves, axes, strict=True):
         j, k = (axis + 1) % 3, (axis + 2) % 3
@@ -95,7 +96,7 @@ def turned_about(axes: Iterable[int], waves: Iterable[Coordinates], v: Coordinat
 def by_angles(
     angles: Array, points: Array, axes: tuple[int, ...], backward: bool, degrees: bool
 ) -> Array:
-    """Return points turned by Euler angles of any size, the last of them first if ``backward``."""
+    """Return points rotated by Euler angles of any size, beginning with the last one if ``backward``."""
     xp = namespace(points)
     turns = list(split(angles))[:: -1 if backward else 1]
     spoilt = unchanging(xp, split(angles))
@@ -112,17 +113,18 @@ ABOUT_AXIS = [RowFormula(_about_axis, (3,), (), (3,), parameters=(d,)) for d in 
 
 @cache
 def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> RowFormula:
-    """Return the formula for Euler angles about three axes, the last of the angles first if ``backward``."""
+    """Return the formula for Euler angles about three axes, beginning with the last one if ``backward``."""
     return RowFormula(by_angles, (len(axes),), (3,), parameters=(axes, backward, degrees))
 
 
 def write(formula: RowFormula, target: Array, *arrays: Array) -> bool:
-    """Write the values of a formula to ``target``; its last array is the points. Return its flag.
+    """Write the values of a formula to ``target`` and return its flag; the points are its last array.
 
-    The arrays may be of both precisions; all is computed in double. The target may be the points.
+    The arrays may have either precision; all computations are in double precision. The target may be the
+    points.
     """
     arrays = tuple(a.astype(np.float64, copy=False) for a in arrays)
-    flag = formula.function(target, *arrays)  # the machine code writes where it can
+    flag = formula.function(target, *arrays)  # the machine code writes to it if possible
     if flag is None:
         image, flag = formula.with_flag(*arrays)
         target[...] = image

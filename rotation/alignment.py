@@ -14,15 +14,15 @@ from rotation.wahba import checked, checked_vectors, fitted
 def align(
     source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
 ) -> tuple[Rotation, Array]:
-    """Return the rotation R with the least ``Σ w‖target − R·source‖²``, and the root of that sum.
+    """Return the rotation R with the least ``Σ w‖target − R·source‖²``, and the square root of that sum.
 
-    Where all pairs lie along one line, as a single pair does, many rotations are best, and the
-    shortest of them is returned.
+    If all pairs lie along one line (or there is a single pair), many rotations are optimal, and the one with
+    the least angle is returned.
 
     Parameters
     ----------
     source, target : array_like, shape (…, N, 3), or (3,) for a single pair
-        Vectors; their lengths weigh as well.
+        Vectors; their lengths act as additional weights.
     weights : array_like, shape (…, N), optional
         Not negative; a pair of weight 0 has no influence. One may be infinite: its pair is aligned
         exactly, and not counted in rssd.
@@ -35,8 +35,8 @@ def align(
     Raises
     ------
     RotationError
-        Shapes that do not fit, no vectors or nothing but zeros, negative weights; or vectors that
-        a reflection would align, so that several rotations are best.
+        Incompatible shapes, no vectors or only zero vectors, negative weights; or vectors that only a
+        reflection aligns, so that several rotations are optimal.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def align(
 def align_points(
     source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
 ) -> tuple[Rotation, Array, Array]:
-    """Return the rigid motion that takes points ``source`` closest to ``target``.
+    """Return the rigid motion that brings points ``source`` closest to ``target``.
 
     Parameters and errors are those of `align`; here the points may lie anywhere.
 
@@ -78,7 +78,7 @@ def align_points(
     if certainly(xp.any(xp.isinf(w))):
         raise RotationError("an infinite weight is not supported here; give a finite one")
     refuse_rows(xp.all(w == 0.0, axis=-1), "the weights", "are all zero")
-    # Differences of the largest floats are none: taken are those of quarters.
+    # The differences of the largest floats overflow, so quarters of the numbers are subtracted.
     size = xp.maximum(largest(xp, a), largest(xp, b))
     one = xp.ones_like(size)
     f = xp.where(size > float(xp.finfo(a.dtype).max) / 8.0, 0.25 * one, one)
@@ -90,7 +90,7 @@ def align_points(
 
 
 class Similarity(NamedTuple):
-    """The map ``v ↦ scale·R·v + translation``; shapes (…), (…), (…, 3), and how close it is, (…).
+    """The map ``v ↦ scale·R·v + translation`` with arrays of shapes (…), (…), (…, 3), and the residual (…).
 
     Examples
     --------
@@ -114,11 +114,11 @@ class Similarity(NamedTuple):
 def align_similarity(
     source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
 ) -> Similarity:
-    """Return the similarity, of positive scale, that maps points ``source`` closest to ``target``.
+    """Return the similarity with positive scale that brings points ``source`` closest to ``target``.
 
     S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
-    Trans. PAMI 13 (1991). Parameters and errors are those of `align_points`; all points of the source in
-    one place, or points that are best shrunk to nothing, are a `RotationError` as well.
+    Trans. PAMI 13 (1991). Parameters and errors are those of `align_points`. A `RotationError` is also raised
+    if all source points coincide, or if the best scale would be 0.
 
     Returns
     -------

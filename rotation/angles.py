@@ -1,4 +1,4 @@
-"""Convert between degrees and radians; quarter turns are removed in degrees, where this is exact.
+"""Convert between degrees and radians; quarter turns are subtracted in degrees, where this is exact.
 
 The remainder, at most an eighth of a turn, is converted to radians with twice the digits. So sines and
 cosines of degrees are as accurate as those of radians, and those of quarter turns are exactly 0 and ±1.
@@ -44,7 +44,7 @@ _BOTH = RowFormula(_both, (1,))
 
 
 def waves_of_degrees(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
-    """Return sine and cosine of degrees as pairs, right to about 58 bits."""
+    """Return sine and cosine of degrees as pairs, accurate to about 58 bits."""
     far = ~(xp.abs(angle[0]) < 360.0)
     a, b = rarely(xp, far, lambda: two_sum(*(_within_a_turn(xp, x) for x in angle)), angle)
     quarters = xp.round(a / 90.0)

@@ -47,11 +47,11 @@ class Limits(Protocol):
 
     @property
     def bits(self) -> int:
-        """The number of bits."""
+        """The number of bits of a float."""
 
     @property
     def eps(self) -> float:
-        """The distance from 1 to the next."""
+        """The distance from 1 to the next larger float."""
 
     @property
     def max(self) -> float:

@@ -30,9 +30,9 @@ _OVERLAP_WORK = 10_000  # candidates tried for an exact answer; a harder questio
 def real(value: object, name: str) -> Array:
     """Return ``value`` as a native float32 or float64 array; integers and sympy's numbers become float64.
 
-    No copy is made where none is needed. Raises `DTypeError` for every other kind (complex, bool,
-    object, text, half and extended precision), `ForeignArrayError` for arrays of other libraries,
-    `RotationError` for ragged lists and masked arrays.
+    The array is copied only if necessary. Raises `DTypeError` for other kinds (complex, bool, object, text,
+    half and extended precision), `ForeignArrayError` for arrays of other libraries, and `RotationError` for
+    ragged lists and masked arrays.
     """
     if type(value) is np.ndarray and value.dtype.char in "fd" and value.dtype.isnative:
         return value
@@ -73,9 +73,9 @@ def real(value: object, name: str) -> Array:
 
 
 def _from_sympy(array: Array, name: str) -> Array | None:
-    """Return an array of sympy's numbers as float64, each to the nearest float; None for other objects.
+    """Return an array of sympy numbers as float64, each rounded to the nearest float; None for other objects.
 
-    Python's numbers may stand among them. sympy is not imported to tell. Raises `DTypeError` for symbols and
+    Python numbers may be mixed in. sympy is not imported for the test. Raises `DTypeError` for symbols and
     for numbers that are not real.
     """
     sympys = getattr(sys.modules.get("sympy"), "Expr", ())
@@ -89,7 +89,7 @@ def _from_sympy(array: Array, name: str) -> Array | None:
 
 
 def _float(number: "sympy.Expr", name: str) -> float:
-    """Return a number of sympy as the nearest float."""
+    """Return a sympy number as the nearest float."""
     if number.free_symbols:
         symbol = min(map(str, number.free_symbols))
         raise DTypeError(
@@ -103,7 +103,9 @@ def _float(number: "sympy.Expr", name: str) -> float:
 
 
 def precision(dtype: object) -> "np.dtype[Any]":
-    """Return float32 or float64, in which rotations are stored; raises `DTypeError` for anything else."""
+    """Return float32 or float64, the types in which rotations are stored; raises `DTypeError` for anything
+    else.
+    """
     try:
         kind: np.dtype[Any] = np.dtype(dtype)  # type: ignore[call-overload]
     except TypeError:
@@ -114,14 +116,16 @@ def precision(dtype: object) -> "np.dtype[Any]":
 
 
 def expect_numbers(value: object, name: str) -> None:
-    """Raise `DTypeError` for a rotation or a transform where an array is expected."""
+    """Raise `DTypeError` for a rotation or a transform if an array is expected."""
     refusal = hints.numbers_expected(value, name)
     if refusal is not None:
         raise DTypeError(refusal)
 
 
 def expect_unmasked(value: object, name: str) -> None:
-    """Raise `RotationError` for a masked array, or one in a list; numpy.ma is not imported for that."""
+    """Raise `RotationError` for a masked array, or a list that contains one; numpy.ma is not imported for
+    this.
+    """
     masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)  # or a thread imports it now
     if masked is not None and _contains(value, masked):
         raise RotationError(
@@ -138,8 +142,8 @@ def _contains(value: object, kind: type) -> bool:
 def components(value: object, number: int, name: str, layout: Layout) -> Array:
     """Return ``value`` as a float array with its ``number`` components last.
 
-    The result of ``layout="soa"`` is a view with the first axis moved to the end. Raises as `real`,
-    and `RotationError` when the axis of components has another length.
+    The result for ``layout="soa"`` is a view with the first axis moved to the end. Raises as `real` does, and
+    `RotationError` if the axis of components has another length.
     """
     array = real(value, name)
     axis = component_axis(layout)
@@ -155,7 +159,7 @@ def components(value: object, number: int, name: str, layout: Layout) -> Array:
 
 
 def component_axis(layout: Layout) -> int:
-    """Return the axis that holds the components: −1 or 0. Raises `RotationError` for another word."""
+    """Return the axis of the components: −1 or 0. Raises `RotationError` for an unknown layout."""
     if layout not in ("aos", "soa"):
         raise RotationError(f'layout is {layout!r}; expected "aos" for (…, 3) or "soa" for (3, …)')
     return -1 if layout == "aos" else 0
@@ -167,7 +171,9 @@ def components_last(array: Array, layout: Layout) -> Array:
 
 
 def common_batch(**batches: Shape) -> Shape:
-    """Return the batch shape that all named ones broadcast to; raises `RotationError` naming them."""
+    """Return the shape to which the given batch shapes broadcast. Raises `RotationError`, with the names of
+    the arguments, if they do not.
+    """
     widest = max(batches.values(), key=len)
     if all(shape in ((), widest) for shape in batches.values()):
         return widest
@@ -183,10 +189,10 @@ def common_batch(**batches: Shape) -> Shape:
 def destination(
     out: object, batch: Shape, points: Array, others: tuple[Array, ...], layout: Layout
 ) -> tuple[Array, Array]:
-    """Return the result, ``out`` after its checks or a new array, and its view with components last.
+    """Return the result array (``out`` after checks, or a new one) and its view with components last.
 
-    ``points`` and ``others`` are what will be read. ``out`` may be the points themselves; every other
-    overlap, another dtype or shape, and memory that cannot be written raise before anything is.
+    ``points`` and ``others`` are the arrays that will be read. ``out`` may be the points themselves. Any
+    other overlap, another dtype or shape, or read-only memory raises an error before anything is written.
     """
     shape = (*batch, 3) if layout == "aos" else (3, *batch)
     if out is None:
@@ -216,7 +222,9 @@ def destination(
 
 
 def require_nonzero(array: Array, name: str) -> None:
-    """Raise `ZeroRotationError` naming the first row of ``array`` whose components are all zero."""
+    """Raise `ZeroRotationError` with the index of the first row of ``array`` whose components are
+    all zero.
+    """
     if array.all():  # as most are
         return
     zero = ~array.any(axis=-1)
@@ -240,7 +248,7 @@ def _overlap(a: Array, b: Array) -> bool:
 
 
 def _overlaps_itself(a: Array) -> bool:
-    """Decide by a sufficient rule: every stride steps over all that the smaller ones can reach."""
+    """Return False only if every stride exceeds the range of the smaller ones, which excludes overlap."""
     if a.flags.forc:
         return False
     reach = a.itemsize

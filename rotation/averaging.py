@@ -1,4 +1,4 @@
-"""The mean of rotations: the eigenvector of the sum of ``w·q·qᵀ``, in which q and −q count alike.
+"""The mean of rotations: the eigenvector of the sum of ``w·q·qᵀ``, which does not depend on signs of the q.
 
 F. L. Markley, Y. Cheng, J. L. Crassidis and Y. Oshman, "Averaging quaternions", J. Guidance, Control
 and Dynamics 30 (2007).
@@ -54,7 +54,9 @@ def mean(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None) -
 
 @quiet
 def _of_all(q: Array, w: Array | None) -> Array | None:
-    """The mean of quaternions (n, 4); None if there is none or the input needs the general path."""
+    """Return the mean of quaternions (n, 4), or None if there is none or the input needs the
+    general method.
+    """
     total = float(len(q))
     if w is None:
         moment = q.T @ q
@@ -73,7 +75,7 @@ def _of_all(q: Array, w: Array | None) -> Array | None:
 
 
 def _last_column(vectors: Array) -> Array:
-    """The last column as a unit quaternion whose first nonzero coordinate is positive."""
+    """Return the last column as a unit quaternion whose first nonzero coordinate is positive."""
     xp = namespace(vectors)
     return join(xp, upright(xp, unit(xp, tuple(vectors[..., n, 3] for n in range(4)))))
 
@@ -103,9 +105,9 @@ def _weighted(q: Array, weights: ArrayLike | None, axis: Axes | None) -> Array:
 
 
 def _grouped(q: Array, weights: ArrayLike | None, axis: Axes | None) -> tuple[Array, Array]:
-    """Return quaternions (…, count, 4) and weights (…, count) with the axes to average over together.
+    """Return quaternions (…, count, 4) and weights (…, count), with the axes to average over combined.
 
-    The heaviest weight of each group is 1.
+    The largest weight in each group is scaled to 1.
     """
     xp = namespace(q, weights)
     batch = tuple(q.shape[:-1])
@@ -144,7 +146,9 @@ def median(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None)
 
 
 def _median(q: Array, w: Array, moment: Array) -> Array:
-    """Return the median of quaternions (n, 4): the descent begins at their mean, or at one of several."""
+    """Return the median of quaternions (n, 4); the descent begins at their mean, or at one of
+    several means.
+    """
     if not np.isfinite(moment).all():
         return np.full(4, np.nan)
     _, vectors = np.linalg.eigh(moment)
@@ -155,9 +159,9 @@ def _median(q: Array, w: Array, moment: Array) -> Array:
 
 @quiet
 def mean_of_vectors(v: Array, weights: Array, axes: tuple[int, ...]) -> Array:
-    """Return the weighted mean of vectors (…, 3) over some of their axes; no sum on the way overflows.
+    """Return the weighted mean of vectors (…, 3) over some of their axes, without intermediate overflow.
 
-    The weights, of shape (…), are not negative and not all zero.
+    The weights, of shape (…), must be nonnegative and not all zero.
     """
     xp = namespace(v, weights)
     w = weights[..., None]
@@ -170,7 +174,7 @@ def mean_of_vectors(v: Array, weights: Array, axes: tuple[int, ...]) -> Array:
 
 
 def _axes(axis: Axes | None, ndim: int) -> tuple[int, ...]:
-    """The distinct axes, nonnegative and ascending."""
+    """Return the distinct axes, nonnegative and ascending."""
     if axis is None:
         return tuple(range(ndim))
     given = axis if isinstance(axis, tuple | list) else (axis,)

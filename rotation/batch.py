@@ -25,7 +25,7 @@ class Batch(ImmutableArray):
 
     @classmethod
     def _of(cls, q: Array) -> Self:
-        """Wrap unit quaternions without copying; the caller must not write to them."""
+        """Wrap unit quaternions without copying; the caller must not write to them afterwards."""
         self = new(cls)
         if type(q) is np.ndarray or isinstance(q, np.ndarray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
@@ -34,7 +34,7 @@ class Batch(ImmutableArray):
 
     @classmethod
     def _stored(cls, q: Array, dtype: npt.DTypeLike | None) -> Self:
-        """Wrap unit quaternions in the given precision, or in their own if it is None."""
+        """Wrap unit quaternions in the given precision; if it is None, in their own."""
         if dtype is None:
             return cls._of(q)
         kind = precision(dtype)
@@ -46,14 +46,14 @@ class Batch(ImmutableArray):
         return cls._of(q.astype(kind, copy=False))
 
     def _alike(self, q: Array) -> Self:
-        """Wrap unit quaternions computed from `_double` in the precision of these."""
+        """Wrap unit quaternions computed from `_double`, in the precision of this object."""
         if q.dtype is self._q.dtype:
             return self._of(q)
         return self._stored(q, self._q.dtype) if is_numpy(namespace(q)) else self._of(q)
 
     @property
     def _double(self) -> Array:
-        """The quaternions, in float64 if they are numpy's."""
+        """The quaternions; numpy arrays as float64."""
         return floats(self._q, "rotations")
 
     @property
@@ -64,10 +64,11 @@ class Batch(ImmutableArray):
     def astype(self, dtype: npt.DTypeLike | None) -> Self:
         """Return the same rotations stored in float32 or float64, each coordinate rounded once.
 
-        Rotations in float32 take half the memory, and storing turns one by at most 2⁻²³ radians. What is read
-        from them, and their products, powers and means, is computed in double and rounded once to float32:
-        entries of matrices within 2⁻²⁴, all numbers x within ``2⁻²³·max(1, |x|)``. Products with rotations in
-        float64 are in float64; the dtype of points decides about theirs. Motions and curves are in float64.
+        Rotations in float32 take half the memory; storing a rotation changes it by at most 2⁻²³ radians.
+        Everything computed from them, including products, powers and means, is computed in double precision
+        and rounded once to float32. Matrix entries are accurate to 2⁻²⁴, and all numbers x to ``2⁻²³·max(1,
+        |x|)``. Products with rotations in float64 are in float64; rotated points have the dtype of the
+        points. Motions and curves are in float64.
 
         Raises
         ------
@@ -117,7 +118,7 @@ class Batch(ImmutableArray):
         Raises
         ------
         RotationError
-            There are none, or their other axes differ.
+            There are no arrays, or their other axes differ.
         MemberError
             Something among them is not a rotation; it is a DTypeError and a RotationError.
         """
@@ -161,7 +162,7 @@ class Batch(ImmutableArray):
 
 
 def expect_rotations(**named: object) -> None:
-    """Raise `DTypeError` unless all values are rotations, and not their quaternions or matrices."""
+    """Raise `DTypeError` unless all values are rotations, rather than quaternions or matrices."""
     for name, value in named.items():
         if not isinstance(value, Batch):
             raise DTypeError(hints.refusal(value, name, "Rotation"))

@@ -1,6 +1,6 @@
 """Sums, products, quotients, roots, sines and angles as pairs of floats (high, low), with twice the digits.
 
-The functions run on every array library. For symbols the angle of a point is that of
+The functions run on every array library. For symbols the angle of a point is computed by
 `rotation.native.elementary`.
 """
 
@@ -27,7 +27,7 @@ def total(pairs: Iterable[Pair]) -> Pair:
 
 
 def norm(xp: Namespace, coordinates: Iterable[Array]) -> Pair:
-    """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
+    """Return ``√(Σ c²)`` as a pair, for coordinates whose squares neither overflow nor underflow."""
     high, low = total(two_product(xp, c, c) for c in coordinates)
     n = root(xp, high)
     square, e = two_product(xp, n, n)
@@ -44,7 +44,7 @@ def quotient(xp: Namespace, a: Pair, b: Pair) -> Pair:
 
 
 def times(xp: Namespace, a: Pair, b: Array) -> Array:
-    """Return ``a·b``, rounded nearly once."""
+    """Return ``a·b``, almost correctly rounded."""
     fma: FMA | None = getattr(xp, "fma", None)
     if fma is not None:
         return fma(a[0], b, a[1] * b)
@@ -60,10 +60,10 @@ def product(xp: Namespace, a: PairLike, b: PairLike) -> Pair:
 
 
 def sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
-    """Return sine and cosine as pairs, right to about 58 bits, of angles in [0, π/2].
+    """Return sine and cosine as pairs, accurate to about 58 bits, of angles in [0, π/2].
 
-    Taylor's series at a quarter of the angle, and twice the formulas for the double angle; the
-    cosine is carried as ``1 − cos``, so that small angles keep all their digits.
+    Taylor series at a quarter of the angle, followed by the double-angle formulas twice. The cosine is
+    represented as ``1 − cos``, so that small angles keep all their digits.
     """
     x, rest = 0.25 * angle[0], 0.25 * angle[1]
     t, e = two_product(xp, x, x)
@@ -80,7 +80,7 @@ def sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
 
 
 def angle(xp: Namespace, sine: Pair, cosine: Array) -> Pair:
-    """Return as a pair the angle in [0, π/2] of ``(cosine, sine)``, a point near the unit circle."""
+    """Return as a pair the angle in [0, π/2] of ``(cosine, sine)``, a point close to the unit circle."""
     if hasattr(xp, "angle_of"):
         a, b = xp.angle_of(sine[0], cosine)
         return a, b + sine[1] * cosine

@@ -1,4 +1,4 @@
-"""The part of `Rotation` that converts representations: constructors ``from_…`` and methods ``as_…``."""
+"""The part of `Rotation` that converts between representations: ``from_…`` and ``as_…``."""
 
 from typing import TYPE_CHECKING, Self
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Conversions(Batch):
-    """Holds unit quaternions, scalar first, and converts: every ``from_…`` and every ``as_…``."""
+    """Unit quaternions, scalar first, with all conversions ``from_…`` and ``as_…``."""
 
     __slots__ = ()
 
@@ -33,15 +33,15 @@ class Conversions(Batch):
         scalar_first : bool
             ``False`` takes (x, y, z, w), as scipy does by default.
         dtype : float32 or float64, optional
-            In what numpy rotations are stored, float64 unless said; float32 is rounded to at the end and
-            kept by all that follows (see `astype`).
+            The type in which numpy rotations are stored, by default float64. float32 is rounded to at the end
+            and kept by later operations (see `astype`).
 
         Raises
         ------
         RotationError
             A quaternion is zero (the message names its row), or the shape is wrong.
         DTypeError, ForeignArrayError
-            Another dtype, or one for arrays that are not numpy's.
+            Another dtype, or any dtype for arrays that are not numpy's.
         """
         if not scalar_first:
             quat = floats(quat, "quaternions")
@@ -65,7 +65,7 @@ class Conversions(Batch):
         matrix : array_like, shape (…, 3, 3)
             Orthogonal to within 1e-6 (float32: 1e-3), of determinant 1.
         orthonormalize : bool
-            Take the rotation nearest to each matrix, which needs only a positive determinant.
+            Use the rotation nearest to each matrix, which must have a positive determinant.
         dtype
             As in `from_quat`.
 
@@ -74,7 +74,7 @@ class Conversions(Batch):
         RotationError
             A reflection; a matrix too far from orthogonal, or with ``orthonormalize`` a singular one.
         ArgumentError
-            Other names, such as scipy's ``assume_valid``: the message says what to write.
+            Unknown arguments, such as scipy's ``assume_valid``; the message gives the correct call.
         """
         hints.refuse_arguments("from_matrix", others)
         return cls._stored(matrices.from_matrix(matrix, orthonormalize), dtype)
@@ -126,7 +126,7 @@ class Conversions(Batch):
         axes : array_like, shape (3,) or (…, n, 3), n at most 3
             Of any length but 0; the batch shapes of axes and angles broadcast.
         order : "extrinsic" or "intrinsic"
-            About axes that stay, or that turn along; "e" and "i" are taken too.
+            About fixed axes, or about axes that rotate with the body; "e" and "i" are also accepted.
         angles : array_like, shape (…, n)
             For one axis also a number, or a one-dimensional array of angles.
         degrees : bool
@@ -194,11 +194,11 @@ class Conversions(Batch):
 
     @classmethod
     def from_6d(cls, numbers: ArrayLike, *, dtype: npt.DTypeLike | None = None) -> Self:
-        """Make rotations from six numbers (…, 6): two vectors, made orthonormal one after the other.
+        """Make rotations from six numbers (…, 6): two vectors, which are orthonormalised in order.
 
-        They are the first two columns of the matrix. The map is continuous, unlike any from three or four
-        numbers: Y. Zhou et al., "On the continuity of rotation representations in neural networks" (2019).
-        ``dtype`` as in `from_quat`.
+        They become the first two columns of the matrix. This map is continuous, unlike any map from three or
+        four numbers: Y. Zhou et al., "On the continuity of rotation representations in neural networks"
+        (2019). ``dtype`` as in `from_quat`.
 
         Raises
         ------
@@ -209,10 +209,10 @@ class Conversions(Batch):
 
     @classmethod
     def between(cls, source: ArrayLike, target: ArrayLike) -> Self:
-        """Make the shortest rotations that map directions ``source`` (…, 3) to ``target`` (…, 3).
+        """Make the rotations of least angle that map directions ``source`` (…, 3) to ``target`` (…, 3).
 
-        Opposite directions are half a turn apart about many axes; the one taken is perpendicular
-        to ``source`` and to the coordinate axis farthest from it.
+        Opposite directions are related by half turns about many axes; the axis used is perpendicular to
+        ``source`` and to the coordinate axis farthest from it.
 
         Raises
         ------
@@ -231,12 +231,12 @@ class Conversions(Batch):
         return cls.from_quat(rotation.as_quat(), scalar_first=False)
 
     def to_scipy(self) -> "ScipyRotation":
-        """Return the same as a `scipy.spatial.transform.Rotation`; scipy must be installed.
+        """Return the rotations as a `scipy.spatial.transform.Rotation`; scipy must be installed.
 
         Raises
         ------
         RotationError
-            A row is NaN: scipy has no such rotations.
+            A row is NaN, which scipy's rotations cannot represent.
         ForeignArrayError
             The rotations are not stored in numpy arrays.
         """
@@ -256,14 +256,14 @@ class Conversions(Batch):
         scalar_first : bool
             ``False`` returns (x, y, z, w).
         canonical : bool
-            Of q and −q return the one whose first nonzero coordinate (w, x, y, z) is positive;
-            otherwise the sign is the one that the computation gave.
+            Return the one of q and −q whose first nonzero coordinate (w, x, y, z) is positive; otherwise the
+            sign is the one that was computed.
         """
         q = quaternions.canonical(self._q) if canonical else self._q
         return copied(q) if scalar_first else quaternions.scalar_last(q)
 
     def as_matrix(self) -> Array:
-        """Return the matrices, shape (…, 3, 3), that turn column vectors."""
+        """Return the matrices, shape (…, 3, 3), that rotate column vectors."""
         return matrices.to_matrix(self._q)
 
     def as_6d(self) -> Array:
@@ -274,16 +274,16 @@ class Conversions(Batch):
     def as_euler(self, seq: str, degrees: bool = False, **others: object) -> Array:
         """Return Euler angles, shape (…, 3), for a sequence of three letters.
 
-        The first and third lie in [−π, π]; the second in [0, π] where the first letter is the last
-        letter too, else in [−π/2, π/2]. In gimbal lock the third is 0; that is no error
-        and no warning, and the angles give back the same rotation to rounding.
+        The first and third angle lie in [−π, π]. The second lies in [0, π] if the first and the last letter
+        agree, else in [−π/2, π/2]. In gimbal lock the third angle is 0, without error or warning, and the
+        angles give the same rotation up to rounding.
 
         Raises
         ------
         RotationError
             No such sequence.
         ArgumentError
-            Other names, such as scipy's ``suppress_warnings``: the message says what to write.
+            Unknown arguments, such as scipy's ``suppress_warnings``; the message gives the correct call.
         """
         hints.refuse_arguments("as_euler", others)
         return euler.to_euler(self._q, seq, degrees)
@@ -291,18 +291,18 @@ class Conversions(Batch):
     def as_davenport(self, axes: ArrayLike, order: str, degrees: bool = False) -> Array:
         """Return the angles about three axes (…, 3, 3), shape (…, 3); see `from_davenport`.
 
-        The first and third lie in [−π, π], the second in an interval of length π. In gimbal lock the third
-        is 0.
+        The first and third angle lie in [−π, π], the second in an interval of length π. In gimbal lock the
+        third angle is 0.
 
         Raises
         ------
         RotationError
-            Not three axes, or such as do not fit.
+            The number of axes is not three, or the axes are not perpendicular as required.
         """
         return davenport.to_davenport(self._q, axes, order, degrees)[0]
 
     def as_rotvec(self, degrees: bool = False) -> Array:
-        """Return the rotation vectors, shape (…, 3), of lengths in [0, π]."""
+        """Return the rotation vectors, shape (…, 3), with lengths in [0, π]."""
         return vectors.to_rotvec(self._q, degrees)
 
     def as_axis_angle(self, degrees: bool = False) -> tuple[Array, Array]:
@@ -312,10 +312,9 @@ class Conversions(Batch):
     def as_columns(self, degrees: bool = False) -> dict[str, Array]:
         """Return the rotations as columns by name, for a table: ``pandas.DataFrame(r.as_columns())``.
 
-        The columns are ``angle``, ``axis_x``, ``axis_y``, ``axis_z``, as `as_axis_angle` gives them,
-        and ``w``, ``x``, ``y``, ``z``, as `as_quat` does. Each has the shape (size,): one row a
-        rotation, the last axis of a batch running fastest. The angles are in radians, or in degrees
-        with ``degrees=True``.
+        The columns are ``angle``, ``axis_x``, ``axis_y``, ``axis_z``, as in `as_axis_angle`, and ``w``,
+        ``x``, ``y``, ``z``, as in `as_quat`. Each has the shape (size,), with one row per rotation, in C
+        order. The angles are in radians, or in degrees with ``degrees=True``.
 
         Raises
         ------
@@ -329,7 +328,7 @@ class Conversions(Batch):
         return dict(zip(names, np.column_stack([angles, axes, q]).T.copy(), strict=True))
 
     def as_mrp(self) -> Array:
-        """Return the modified Rodrigues parameters, shape (…, 3), of lengths in [0, 1]."""
+        """Return the modified Rodrigues parameters, shape (…, 3), with lengths in [0, 1]."""
         return vectors.to_mrp(self._q)
 
     def magnitude(self, degrees: bool = False) -> Array:

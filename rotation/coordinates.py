@@ -1,4 +1,4 @@
-"""Arrays as tuples of their coordinates, and lengths that neither overflow nor vanish."""
+"""Arrays as tuples of coordinates, and lengths that neither overflow nor underflow."""
 
 from collections.abc import Iterable, Sequence
 from functools import reduce
@@ -18,7 +18,7 @@ def split(array: Array) -> Coordinates:
 
 
 def join(xp: Namespace, coordinates: Coordinates) -> Array:
-    """Return the array whose last axis holds ``coordinates``, their shapes broadcast."""
+    """Return the array whose last axis contains ``coordinates``, after broadcasting them."""
     if xp is NUMPY and isinstance(coordinates[0], np.ndarray):
         joined = np.empty(
             (*np.broadcast_shapes(*map(np.shape, coordinates)), len(coordinates)),
@@ -30,13 +30,13 @@ def join(xp: Namespace, coordinates: Coordinates) -> Array:
     return xp.stack(xp.broadcast_arrays(*coordinates), axis=-1)
 
 
-# By the bits of a float: a power of two that brings what is too small or too large to be squared
-# into the middle of the range, exactly.
+# By the bits of a float: a power of two that moves numbers that are too small or too large for
+# squaring into the middle of the range, without rounding.
 STEP = {64: 2.0**600, 32: 2.0**98}
 
 
 def factor(xp: Namespace, coordinates: Coordinates) -> Array:
-    """Return the power of two to multiply by before squaring: 1 where squares are safe."""
+    """Return the power of two by which to multiply before squaring: 1 if squares are safe."""
     largest = xp.abs(coordinates[0])
     for c in coordinates[1:]:
         largest = xp.maximum(largest, xp.abs(c))
@@ -48,13 +48,13 @@ def factor(xp: Namespace, coordinates: Coordinates) -> Array:
 
 
 def backwards(xp: Namespace, f: Array) -> Array:
-    """Return ``1/f`` for a result f of `factor`, without a division, which is slow."""
+    """Return ``1/f`` for a result f of `factor`, without a slow division."""
     one, step = xp.ones_like(f), STEP[finfo(xp, f).bits]
     return xp.where(f > 1.0, (1.0 / step) * one, xp.where(f < 1.0, step * one, one))
 
 
 def polynomial(coefficients: Sequence[float], t: Array) -> Array:
-    """Return ``Σ coefficients[k]·tᵏ``, of at least two terms, by Horner's scheme."""
+    """Return ``Σ coefficients[k]·tᵏ``, with at least two terms, by Horner's scheme."""
     total = coefficients[-2] + coefficients[-1] * t
     for c in reversed(coefficients[:-2]):
         total = total * t + c
@@ -62,7 +62,9 @@ def polynomial(coefficients: Sequence[float], t: Array) -> Array:
 
 
 def middling(xp: Namespace, coordinates: Coordinates) -> Coordinates:
-    """Return the coordinates times a power of two, the largest then 2⁻²⁰⁰ to 2²¹⁰: to be multiplied on."""
+    """Return the coordinates times a power of two such that products are safe: the largest is 2⁻²⁰⁰
+    to 2²¹⁰.
+    """
     f = factor(xp, coordinates)
     scaled = tuple(f * c for c in coordinates)
     largest = reduce(xp.maximum, (xp.abs(c) for c in scaled))
@@ -74,7 +76,7 @@ def middling(xp: Namespace, coordinates: Coordinates) -> Coordinates:
 
 
 def length(xp: Namespace, coordinates: Coordinates) -> Array:
-    """Return the Euclidean length, right from the smallest float up to half the largest."""
+    """Return the Euclidean length, accurate from the smallest float up to half the largest."""
     f = factor(xp, coordinates)
     return root(xp, sum_of_squares([f * c for c in coordinates])) / f
 
@@ -86,7 +88,9 @@ def root(xp: Namespace, square: Array) -> Array:
 
 
 def unit(xp: Namespace, coordinates: Coordinates) -> Coordinates:
-    """Return the coordinates divided by their length; NaN where that is 0 or any is not finite."""
+    """Return the coordinates divided by their length; NaN if the length is 0 or a coordinate is not
+    finite.
+    """
     f = factor(xp, coordinates)
     scaled = tuple(f * c for c in coordinates)
     n = xp.sqrt(sum_of_squares(scaled)) + poison(coordinates)
@@ -94,12 +98,12 @@ def unit(xp: Namespace, coordinates: Coordinates) -> Coordinates:
 
 
 def poison(coordinates: Coordinates) -> Array:
-    """Return 0 for rows of finite coordinates and NaN for others, to be added to results."""
+    """Return 0 for rows of finite coordinates and NaN for other rows, for adding to results."""
     return reduce(add, (0.0 * c for c in coordinates))
 
 
 def unchanging(xp: Namespace, coordinates: Coordinates) -> Array:
-    """Return −0, which changes no sum, for rows of finite coordinates, and NaN for all others."""
+    """Return −0, which does not change sums, for rows of finite coordinates, and NaN for all other rows."""
     return reduce(add, (-0.0 * xp.abs(c) for c in coordinates))
 
 

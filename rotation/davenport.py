@@ -1,4 +1,4 @@
-"""Davenport angles: Euler angles about any three axes, the second of which is perpendicular to the others.
+"""Davenport angles: Euler angles about any three axes, the second perpendicular to the others.
 
 P. B. Davenport, "Rotations about nonorthogonal axes", AIAA Journal 11 (1973). They are computed from a
 quaternion as Euler angles are: E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
@@ -25,12 +25,12 @@ _LOCK = 8.0 * float(np.finfo(np.float64).eps)
 
 
 def checked_axes(axes: ArrayLike, order: str) -> tuple[Array, bool]:
-    """Return the unit axes (…, n, 3), n at most 3, and whether they are intrinsic: turn with the body.
+    """Return the unit axes (…, n, 3), n at most 3, and whether they are intrinsic (rotate with the body).
 
     Raises
     ------
     RotationError
-        Another shape or order, or axes next to each other that are not perpendicular.
+        Another shape or order, or consecutive axes that are not perpendicular.
     ZeroRotationError
         An axis is zero.
     """
@@ -58,9 +58,9 @@ _UNITS = RowFormula(lambda axis: join(namespace(axis), unit(namespace(axis), spl
 
 
 def from_davenport(axes: ArrayLike, order: str, angles: ArrayLike, degrees: bool = False) -> Array:
-    """Return the unit quaternions of turns about one to three axes (…, n, 3), by angles (…, n).
+    """Return the unit quaternions of rotations about one to three axes (…, n, 3), by angles (…, n).
 
-    For one axis also a number, or a one-dimensional array of angles; the batch shapes broadcast.
+    For one axis, a number or a one-dimensional array of angles is also accepted; the batch shapes broadcast.
 
     Raises
     ------
@@ -97,11 +97,12 @@ def _rows(axes: Array, n: int) -> list[Coordinates]:
 def to_davenport(
     q: Array, axes: ArrayLike, order: str, degrees: bool = False, tolerance: float = _LOCK
 ) -> tuple[Array, Array]:
-    """Return the angles (…, 3) about three axes (…, 3, 3), and where they are in gimbal lock.
+    """Return the angles (…, 3) about three axes (…, 3, 3), and a mask of gimbal lock.
 
-    The first and third lie in [−π, π]. With λ the angle about the second axis from the first to the third (of
-    the extrinsic order), the second lies in [λ, λ + π] if λ ≤ 0, else in [λ − π, λ]: in [−π/2, π/2] for
-    perpendicular axes, in [0, π] where the first is the third. In gimbal lock the third is 0.
+    The first and third angle lie in [−π, π]. Let λ be the angle about the second axis from the first to the
+    third (in the extrinsic order). The second angle lies in [λ, λ + π] if λ ≤ 0, else in [λ − π, λ]: that is
+    [−π/2, π/2] for perpendicular axes, and [0, π] if the first axis is the third. In gimbal lock the third
+    angle is 0.
 
     Raises
     ------
@@ -123,13 +124,14 @@ def _reading(intrinsic: bool, degrees: bool, tolerance: float) -> RowFormula:
 
 
 def _to_davenport(q: Array, axes: Array, intrinsic: bool, degrees: bool, tolerance: float) -> Array:
-    """The three angles, and a flag that is 1 in gimbal lock."""
+    """Return the three angles, and a flag that is 1 in gimbal lock."""
     xp, rows = namespace(q), _rows(axes, 3)
     first, second, third = rows[::-1] if intrinsic else rows
     across = cross(first, second)
     lean = xp.atan2(-_dot(across, third), _dot(first, third))
-    # The third axis is the first, turned by λ about the second. Turned back by λ the rotation is one about
-    # the first, the second by the angle less λ, and the first again.
+    # The third axis is the first one turned by λ about the second. Turned back by λ, the rotation
+    # becomes one about the first axis, then about the second by the angle minus λ, then about the
+    # first again.
     s, c = waves(xp, -0.5 * lean, False)
     a, *u = steadied(multiplied((c, *(s * x for x in second)), split(q)))
     b, c, d = (_dot(tuple(u), axis) for axis in (first, second, across))

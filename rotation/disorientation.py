@@ -1,9 +1,9 @@
-"""Find the smallest of the rotations equivalent under two finite groups, with a rule to break ties.
+"""Find the rotation of least angle among those equivalent under two finite groups, with a rule for ties.
 
 Let H be the intersection of the two groups. Every ``l·p·r`` is ``h·(l₀·p·r₀)·h⁻¹`` with h in H and one pair
-(l₀, r₀) for each product r·l. The angle depends on r·l only, and h turns only the axis: first h is chosen for
-the largest x, then among those that keep x. For two cubes these are 24, 6 and 4 candidates instead of 576. In
-the few rows with ties all candidates are compared.
+(l₀, r₀) for each product r·l. The angle depends only on r·l, and h rotates only the axis. First h is chosen
+to maximise x, then among the h that keep x. For two cubes there are 24, 6 and 4 candidates instead of 576.
+For the few rows with ties all candidates are compared.
 """
 
 from functools import cache
@@ -18,15 +18,15 @@ from rotation.namespaces import namespace
 from rotation.quaternions import canonical, inverse, multiplied, normalised, product
 from rotation.rowwise import RowFormula
 
-TIE = 2.0**-40  # coordinates so near each other are the same
-_SAME = 1e-9  # and the products of a group, so near that of its elements
+TIE = 2.0**-40  # coordinates this near to each other count as equal
+_SAME = 1e-9  # tolerance within which a product of group elements equals an element
 _MAX_WRITTEN_MAPS = 160  # maps that are written out in one formula
 _MAX_GROUP_ORDER = 240  # rotations of a group
 _BLOCK = 2**21  # candidates that are in memory at once
 
 
 class _Maps(NamedTuple):
-    """Linear maps of quaternions, (k, 4, 4) by angle and (h, 4, 4) by axis, and the formula that chooses."""
+    """Linear maps of quaternions, (k, 4, 4) by angle and (h, 4, 4) by axis, and the selection formula."""
 
     by_angle: Array
     by_axis: Array
@@ -34,12 +34,12 @@ class _Maps(NamedTuple):
 
 
 def least(p: Array, left: Array, right: Array) -> Array:
-    """Return for unit quaternions (…, 4) the ``l·p·r`` of `Rotation.disorientation`, w ≥ 0.
+    """Return, for unit quaternions (…, 4), the ``l·p·r`` of `Rotation.disorientation` with w ≥ 0.
 
     Raises
     ------
     RotationError
-        ``left`` or ``right``, (m, 4) and (n, 4), is no group, or has more than 240 elements.
+        ``left`` (m, 4) or ``right`` (n, 4) is not a group, or has more than 240 elements.
     """
     for group in (left, right):
         if not isinstance(group, np.ndarray):
@@ -64,7 +64,7 @@ def _maps(left: bytes, right: bytes) -> _Maps:
     for group in (first, second):
         _expect_group(group)
     common = first[(np.abs(first @ second.T) > 1.0 - _SAME).any(axis=1)]
-    # r·l and (r·h)·(h⁻¹·l) are the same: of l one of each class H·l is enough.
+    # r·l and (r·h)·(h⁻¹·l) are equal, so one l of each coset H·l suffices.
     classes = product(common[:, None, :], first[None, :, :])
     alike = (np.abs(classes @ first.T) > 1.0 - _SAME).any(axis=0)
     some = first[np.argmax(alike, axis=1) == np.arange(len(first))]
@@ -93,7 +93,9 @@ def _expect_group(q: Array) -> None:
 
 
 def _map(left: Array, right: Array) -> Array:
-    """The matrices (…, 4, 4) of ``p ↦ l·p·r``; entries that are whole or half of rounding made so."""
+    """Return the matrices (…, 4, 4) of ``p ↦ l·p·r``; entries near integers and half-integers are
+    made exact.
+    """
     columns = [
         np.stack(multiplied(multiplied(split(left), tuple(e)), split(right)), -1) for e in np.eye(4)
     ]
@@ -103,7 +105,7 @@ def _map(left: Array, right: Array) -> Array:
 
 
 def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
-    """The five numbers of a row: the best quaternion, and a flag for near ties."""
+    """Return five numbers of a row: the best quaternion, and a flag for near ties."""
     xp, best = namespace(q), split(q)
     doubtful = xp.zeros_like(best[0])
     for key, maps in enumerate(stages):
@@ -113,7 +115,7 @@ def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
 
 
 def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Array]:
-    """The image of q with the largest coordinate ``key``, w ≥ 0, and a flag for near ties."""
+    """Return the image of q with the largest coordinate ``key``, w ≥ 0, and a flag for near ties."""
 
     def image_by(m: Array) -> Coordinates:
         image = tuple(_sum(row, q) for row in m)
@@ -136,7 +138,7 @@ def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coor
 
 
 def _sum(row: Array, q: Coordinates) -> Array:
-    """The sum of the nonzero products."""
+    """Return the sum of the nonzero products."""
     pairs = [(float(a), c) for a, c in zip(row, q, strict=True) if a]
     terms = [a * c if abs(a) != 1.0 else (c if a > 0.0 else -c) for a, c in pairs]
     total = terms[0]
@@ -146,7 +148,7 @@ def _sum(row: Array, q: Coordinates) -> Array:
 
 
 def _among_all(p: Array, maps: _Maps) -> Array:
-    """The best of all candidates (n, 4) with both signs, compared lexicographically."""
+    """Return the best of all candidates (n, 4) with both signs, compared lexicographically."""
     every = (maps.by_axis[:, None] @ maps.by_angle[None]).reshape(-1, 4, 4)
     every = np.concatenate([every, -every])
     found = np.empty_like(p)

@@ -1,10 +1,10 @@
-"""The errors of the package: each is an `HFieldError` and a builtin error."""
+"""The errors of the package; each is both an `HFieldError` and a builtin error."""
 
 from hfield.errors import HFieldError
 
 
 class RotationError(HFieldError, ValueError):
-    """An error for values that are no rotation, or for shapes, layouts or memory that do not fit together.
+    """An error for values that are not rotations, or for incompatible shapes, layouts or memory.
 
     Examples
     --------
@@ -18,7 +18,7 @@ class RotationError(HFieldError, ValueError):
 
 
 class ZeroRotationError(RotationError):
-    """A zero axis or a zero quaternion: it has no direction. ``row`` is its index in its batch.
+    """A zero axis or zero quaternion, which has no direction. ``row`` is its index in the batch.
 
     Examples
     --------
@@ -39,7 +39,7 @@ class ZeroRotationError(RotationError):
 
 
 class DTypeError(HFieldError, TypeError):
-    """An array of a kind that is not rotated, such as complex numbers, booleans or objects.
+    """An array of an unsupported kind, such as complex numbers, booleans or objects.
 
     Examples
     --------
@@ -49,7 +49,7 @@ class DTypeError(HFieldError, TypeError):
 
 
 class MemberError(DTypeError, RotationError):
-    """A value of a wrong type in a list of rotations."""
+    """A value of the wrong type in a list of rotations."""
 
 
 class ArgumentError(HFieldError, TypeError):

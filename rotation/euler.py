@@ -1,8 +1,8 @@
 """Convert Euler angles, in all 24 conventions, to quaternions and back (thesis, 2.2.2 to 2.2.4: ZYX).
 
-A sequence is one to three letters. Uppercase is intrinsic, about axes that turn along:
-``ZYX = R_z(a₀)·R_y(a₁)·R_x(a₂)``. Lowercase is extrinsic, about axes that stay: ``zyx`` turns about z
-first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
+A sequence is one to three letters. Uppercase is intrinsic, about axes that rotate with the body: ``ZYX =
+R_z(a₀)·R_y(a₁)·R_x(a₂)``. Lowercase is extrinsic, about fixed axes: ``zyx`` rotates about z first, then y,
+then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 """
 
 import math
@@ -27,7 +27,7 @@ SEQUENCES = [
 
 
 class Sequence(NamedTuple):
-    """A convention: the axes in the order of the angles, and whether they turn along."""
+    """A convention: the axes in the order of the angles, and whether they are intrinsic."""
 
     axes: tuple[int, ...]
     intrinsic: bool
@@ -39,7 +39,8 @@ def sequence(seq: str) -> Sequence:
     Raises
     ------
     RotationError
-        Not one to three of the letters xyz or XYZ, both cases mixed, or a letter next to itself.
+        The sequence does not consist of one to three letters xyz or XYZ, mixes both cases, or repeats a
+        letter consecutively.
     """
     if isinstance(seq, str):
         return _read(seq)
@@ -80,8 +81,7 @@ def from_euler(seq: str, angles: ArrayLike, degrees: bool = False) -> Array:
     seq : str
         One to three letters.
     angles : array_like, shape (…, len(seq))
-        For a single letter also a number or a one-dimensional array, of which each entry is a
-        rotation.
+        For a single letter also a number, or a one-dimensional array with one rotation per entry.
     degrees : bool
         The angles are in degrees, not radians.
 
@@ -119,13 +119,12 @@ def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool)
 def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
     """Return the Euler angles (…, 3) of unit quaternions (…, 4).
 
-    The first and third angle lie in [−π, π], the second in [−π/2, π/2], or in [0, π] where the first
-    and the last letter agree. In gimbal lock (the second angle at an end of its interval to within
-    16·2⁻⁵²) only a sum or a difference of the others is determined: then the third angle is 0. The
-    angles describe the rotation to 8·2⁻⁵² radians, in gimbal lock to 24·2⁻⁵².
-    Read off the quaternion, so nothing is lost near the lock: E. Bernardes and S. Viollet,
-    "Quaternion to Euler angles conversion: a direct, general and computationally efficient
-    method", PLoS ONE 17 (2022).
+    The first and third angle lie in [−π, π], the second in [−π/2, π/2], or in [0, π] if the first and the
+    last letter agree. In gimbal lock (the second angle is within 16·2⁻⁵² of an end of its interval) only a
+    sum or a difference of the other angles is determined; then the third angle is 0. The angles describe the
+    rotation up to 8·2⁻⁵² radians, in gimbal lock up to 24·2⁻⁵². They are computed from the quaternion, so no
+    accuracy is lost near gimbal lock: E. Bernardes and S. Viollet, "Quaternion to Euler angles conversion: a
+    direct, general and computationally efficient method", PLoS ONE 17 (2022).
 
     Raises
     ------
@@ -160,8 +159,8 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
         middle = xp.atan2(2.0 * both, ab - cd)
     else:
         middle = xp.atan2(sine, both)
-    # Where one of the pairs is nothing but rounding its angle is free: choose it so that the third
-    # angle as the user counts, which is the first of the extrinsic order if intrinsic, is 0.
+    # If one of the pairs consists only of rounding errors, its angle is free. It is chosen so that
+    # the user's third angle (for intrinsic angles, the first of the extrinsic order) is 0.
     tiny = (8.0 * float(xp.finfo(q.dtype).eps)) ** 2
     free = 1.0 if intrinsic else -1.0
     plus_free, minus_free = ab <= tiny * cd, cd <= tiny * ab
@@ -177,16 +176,16 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
 
 
 def _angle(xp: Namespace, y: Array, x: Array, free: Array) -> Array:
-    """The angle of (x, y), 0 in gimbal lock, where its derivative may not be finite."""
+    """Return the angle of (x, y), 0 in gimbal lock, where its derivative may not be finite."""
     return xp.atan2(xp.where(free, xp.zeros_like(y), y), xp.where(free, xp.ones_like(x), x))
 
 
 def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None, float]:
-    """The four numbers (a, b, c, d) of Bernardes and Viollet for extrinsic ``axes``.
+    """Return the four numbers (a, b, c, d) of Bernardes and Viollet for extrinsic ``axes``.
 
-    ``2·atan2(|c, d|, |a, b|)`` is the second angle of a proper sequence, and that minus π/2 of a
-    Tait–Bryan sequence; for the latter also twice its sine, which is sharper near 0. Third comes
-    the sign of the third angle.
+    ``2·atan2(|c, d|, |a, b|)`` is the second angle of a proper Euler sequence; for a Tait–Bryan sequence π/2
+    is subtracted, and twice its sine, which is more accurate near 0, is also returned. The sign of the third
+    angle comes third.
     """
     w, *u = split(q)
     i, j = axes[0], axes[1]
@@ -199,6 +198,6 @@ def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None,
 
 
 def _wrapped(xp: Namespace, angle: Array) -> Array:
-    """Angles between −2π and 2π, brought to [−π, π]."""
+    """Return angles between −2π and 2π, reduced to [−π, π]."""
     down = xp.where(angle > math.pi, angle - 2.0 * math.pi, angle)
     return xp.where(angle < -math.pi, angle + 2.0 * math.pi, down)

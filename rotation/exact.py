@@ -1,8 +1,8 @@
-"""Rotations without rounding: quaternions over ℚ and number fields, their matrices, the finite groups.
+"""Exact rotations: quaternions over ℚ and number fields, their matrices, the finite groups.
 
-As rotations q and c·q are equal, so quaternions may have any norm. Then the tetrahedral and the octahedral
-group need no square root, and the icosahedral group only that of 5 (F. Klein, "Vorlesungen über das
-Ikosaeder", 1884).
+As rotations q and c·q are equal, so quaternions may have any norm. Therefore the tetrahedral and octahedral
+groups need no square roots, and the icosahedral group only √5 (F. Klein, "Vorlesungen über das Ikosaeder",
+1884).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _GROUPS = ("T", "O", "I")
 
 
 def exact_matrix(q: Quaternion) -> tuple[tuple[Scalar, ...], ...]:
-    """Return the matrix, 3 × 3 over the quaternion's own field, of ``v ↦ q·v·q⁻¹``: exactly.
+    """Return the exact 3 × 3 matrix of ``v ↦ q·v·q⁻¹`` over the quaternion's own field.
 
     Raises
     ------
@@ -47,9 +47,10 @@ def exact_matrix(q: Quaternion) -> tuple[tuple[Scalar, ...], ...]:
 
 
 def exact_group(group: str) -> tuple[Quaternion, ...]:
-    """Return the rotations of T, O or I as quaternions, exactly: over ℚ, those of I over ℚ(√5).
+    """Return the rotations of T, O or I as exact quaternions, over ℚ or, for I, over ℚ(√5).
 
-    Each rotation once, the identity first; q and c·q are one rotation, so norms are not all 1.
+    Each rotation occurs once, the identity first. q and c·q are the same rotation, so the norms are not all
+    1.
 
     Raises
     ------
@@ -88,7 +89,7 @@ def exact_group(group: str) -> tuple[Quaternion, ...]:
 
 
 def from_exact(quaternions: Quaternion | list[Quaternion] | tuple[Quaternion, ...]) -> Rotation:
-    """Return as floats the rotations of a quaternion, or of a list of them: each coordinate rounded once.
+    """Return the rotations of a quaternion, or of a list of them, as floats; each coordinate is rounded once.
 
     Parameters
     ----------
@@ -120,7 +121,7 @@ def exact_coordinates(
     Raises
     ------
     RotationError
-        They are none of Hamilton's algebra over real numbers.
+        They do not belong to Hamilton's algebra over real numbers.
 
     Examples
     --------

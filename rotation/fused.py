@@ -1,9 +1,9 @@
 """Rotate many points in one pass over memory: by axis and angle, by quaternion, by Euler angles.
 
 No intermediate matrices or quaternions are stored. The dtype of the points determines that of the result:
-float32 and float64 are kept, integers become float64, any other dtype raises. Batches broadcast by numpy's
-rules, and strides are arbitrary. ``out`` may be the points themselves. NaN or inf in a row gives NaN in that
-row only. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
+float32 and float64 are kept, integers become float64, any other dtype raises an error. Batches broadcast by
+numpy's rules, and strides are arbitrary. ``out`` may be the points themselves. NaN or inf in a row gives NaN
+in that row only. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
 """
 
 import numpy as np
@@ -52,11 +52,12 @@ def rotate(
     points, axis : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
         An axis may have any length but zero, from the smallest float to the largest.
     angle : array_like, shape (…)
-        Counterclockwise seen against the axis. The sine is right to 2⁻⁵² at any size.
+        Counterclockwise when the axis points at the viewer. The sine is accurate to 2⁻⁵² for angles of any
+        size.
     out : ndarray, optional
-        Where to write the result: the points themselves, or memory that overlaps no argument.
+        The array for the result: the points themselves, or memory that does not overlap any argument.
     layout : {"aos", "soa"}
-        Whether components come last or first, in points, axis and out alike.
+        Whether components come last or first; this applies to points, axis and out.
     degrees : bool
         The angles are in degrees, not radians.
 
@@ -71,7 +72,7 @@ def rotate(
     RotationError
         Shapes that do not fit together; ``out`` of another shape, read-only or overlapping in part.
     ZeroRotationError
-        A zero axis, with its row. Where ``out`` is the points themselves they are left as they were.
+        A zero axis; the message names its row. If ``out`` is the points themselves, they are unchanged.
     DTypeError, ForeignArrayError
         Points, axes or angles that are not real numpy arrays.
 
@@ -116,7 +117,7 @@ def rotate_quat(
     ----------
     points : array_like, shape (…, 3), or (3, …) for ``layout="soa"``
     q : array_like, shape (…, 4), or (4, …) for ``layout="soa"``
-        Scalar first, of any length but zero: the length makes no difference. A `Rotation` is taken too.
+        Scalar first, of any nonzero length, which has no effect. A `Rotation` is also accepted.
     out, layout
         As in `rotate`.
 

@@ -1,10 +1,10 @@
 """The geodesic median of rotations: the one with the least weighted sum of angles to them.
 
-The sum f has several local minima where the rotations are spread. The rotations half a turn away from a given
-one form the plane ``q·qᵢ = 0`` in the sphere of quaternions. These planes cut the sphere into cells, and f is
-convex in each, because the second derivatives of an angle below π are not negative. So a rotation at which
-the gradient vanishes is the minimum of its cell. Branch and bound over SO(3) finds the best cell by two
-lower bounds:
+The sum f may have several local minima if the rotations are spread out. The rotations that differ by a half
+turn from a given one form the plane ``q·qᵢ = 0`` in the sphere of quaternions. These planes divide the sphere
+into cells, and f is convex in each, because an angle below π has nonnegative second derivatives. So a
+rotation at which the gradient vanishes is the minimum of its cell. Branch and bound over SO(3) finds the best
+cell with two lower bounds:
 
 - each angle changes by at most the distance moved, so in a ball of radius ρ, ``f ≥ Σ wᵢ·max(0, angleᵢ − ρ)``;
 - the angles to those rotations whose plane does not meet the ball lie above their tangent planes.
@@ -32,7 +32,7 @@ MAX_BOXES = 1 << 20  # at one depth
 MAX_DESCENTS = 4  # begun at each depth
 BLOCK = 1 << 16  # angles computed at once
 BOUND_ERROR = 1e-7  # radians: of the angles in bounds, which come from cosines
-SAME_PLACE = 1e-6  # radians between the ends of two descents to one minimum, where the sum is flat
+SAME_PLACE = 1e-6  # radians between the ends of two descents to one flat minimum
 _EPS = float(np.finfo(np.float64).eps)
 _CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
 
@@ -90,10 +90,10 @@ def _sum_at(q: Array, w: Array, at: Array) -> _Sum:
 
 
 def _descend(q: Array, w: Array, start: Array) -> _Sum:
-    """Return a local minimum that is reached downhill.
+    """Return a local minimum reached by descent.
 
-    It takes Newton's steps where they lead down, else those of Weiszfeld, which always do: R. Hartley,
-    K. Aftab and J. Trumpf, "L1 rotation averaging using the Weiszfeld algorithm", CVPR 2011. At the given
+    It takes Newton steps if they decrease the sum, else Weiszfeld steps, which always do: R. Hartley, K.
+    Aftab and J. Trumpf, "L1 rotation averaging using the Weiszfeld algorithm", CVPR 2011. At the given
     rotations themselves it takes the step of Y. Vardi and C.-H. Zhang, PNAS 97 (2000).
     """
     current = _sum_at(q, w, start)
@@ -103,10 +103,10 @@ def _descend(q: Array, w: Array, start: Array) -> _Sum:
         if current.slope <= rounding:
             break
         nearest = int(np.argmin(current.angles))
-        if nearest not in seen:  # beside one of the rotations all steps are short
+        if nearest not in seen:  # near one of the rotations all steps are short
             seen.add(nearest)
             there = _sum_at(q, w, q[nearest])
-            # Where it lies on another's plane the sum may be level on one side.
+            # If it lies on the plane of another rotation, the sum may be level on one side.
             inside = there.angles.max() < math.pi - SAME_ANGLE
             if inside and there.slope <= rounding and there.value <= current.value:
                 return there
@@ -121,7 +121,7 @@ def _descend(q: Array, w: Array, start: Array) -> _Sum:
 
 
 def _improves(new: _Sum, old: _Sum) -> bool:
-    """Return whether a step decreases the sum, or the gradient where sums differ only by rounding."""
+    """Return whether a step decreases the sum, or the gradient if the sums differ only by rounding."""
     noise = 8.0 * _EPS * old.value
     return new.value < old.value - noise or (
         new.value <= old.value + noise and new.slope < old.slope
@@ -129,7 +129,7 @@ def _improves(new: _Sum, old: _Sum) -> bool:
 
 
 def _newton(q: Array, w: Array, s: _Sum) -> _Sum | None:
-    """Take Newton's step, if the sum has second derivatives: ``½·cot(angle/2)`` perpendicular to each
+    """Take a Newton step, if the sum has second derivatives: ``½·cot(angle/2)`` perpendicular to each
     geodesic.
     """
     if s.here:
@@ -161,7 +161,7 @@ class _Boxes(NamedTuple):
     half: float
 
     def quaternions(self, offset: Array) -> Array:
-        """Return the unit quaternions at an offset, in half edges, from the middles."""
+        """Return the unit quaternions at an offset from the centres, in half edges."""
         points = self.middle + self.half * offset
         places = np.arange(4) - (np.arange(4) > self.face[:, None])
         raised = np.take_along_axis(points, np.minimum(places, 2), axis=1)
@@ -174,11 +174,11 @@ class _Boxes(NamedTuple):
         return found
 
     def selected(self, kept: Array) -> "_Boxes":
-        """Return the cubes that ``kept`` selects."""
+        """Return the cubes selected by ``kept``."""
         return _Boxes(self.face[kept], self.middle[kept], self.half)
 
     def divided(self) -> "_Boxes":
-        """Return the eight parts of each."""
+        """Return the eight subcubes of each cube."""
         half = 0.5 * self.half
         middle = (self.middle[:, None, :] + half * _CORNERS).reshape(-1, 3)
         return _Boxes(np.repeat(self.face, 8), middle, half)
@@ -190,12 +190,12 @@ class _Bounds(NamedTuple):
     value: Array  # (m,): the sum in the middle
     least: Array  # (m,): no sum in the box is less
     cell: (
-        Array  # (m,): bytes that name the cell in which a box lies, or None where it meets several
+        Array  # (m,): bytes that identify the cell of each box; None if the box meets several cells
     )
 
 
 class _Ends:
-    """Where descents have ended, and the cells of which that is the minimum."""
+    """The end points of descents, and the cells whose minimum they are."""
 
     def __init__(self, q: Array, w: Array) -> None:
         self._q, self._w = q, w
@@ -203,7 +203,7 @@ class _Ends:
         self.decided = set[bytes]()
 
     def add(self, end: _Sum, start: Array) -> bool:
-        """Record the end of a descent from a rotation in a cell; return whether it is new."""
+        """Record the end of a descent that started in a cell; return whether it is new."""
         (own,) = _cells((end.at @ self._q.T)[None])
         new = own not in self.decided and not any(_same_place(end, e) for e in self._found)
         for inside in (start, end.at):
@@ -215,7 +215,7 @@ class _Ends:
         return new
 
     def _is_minimum(self, end: _Sum, signs: Array) -> bool:
-        """Return whether an end has the least sum of its closed cell, ``signsᵢ·(q·qᵢ) ≥ 0`` or ``≤ 0``."""
+        """Return whether an end minimises the sum in its closed cell, ``signsᵢ·(q·qᵢ) ≥ 0`` or ``≤ 0``."""
         cosines = signs * (self._q @ end.at)
         if cosines.sum() < 0.0:
             signs, cosines = -signs, -cosines
@@ -227,7 +227,7 @@ class _Ends:
         return bool(math.sqrt(pull @ pull) <= end.here + BOUND_ERROR)
 
     def sorted(self) -> list[_Sum]:
-        """Return the ends, the least sum first."""
+        """Return the ends, in order of the sum."""
         return sorted(self._found, key=lambda end: end.value)
 
 
@@ -236,7 +236,7 @@ def _same_place(a: _Sum, b: _Sum) -> bool:
 
 
 def _search(q: Array, w: Array, first: _Sum) -> list[_Sum]:
-    """Return the ends of descents from wherever the least sum may be, the least first."""
+    """Return the ends of descents from all regions that may contain the least sum, in order of the sum."""
     ends = _Ends(q, w)
     ends.add(first, first.at)
     tried = set[bytes]()
@@ -269,14 +269,16 @@ def _search(q: Array, w: Array, first: _Sum) -> list[_Sum]:
 
 
 def _open(bounds: _Bounds, ends: _Ends) -> Array:
-    """Return which boxes may contain a smaller sum than the known minima, or an equal one in another cell."""
+    """Return the boxes that may contain a smaller sum than the known minima, or an equal one in
+    another cell.
+    """
     decided = np.array([cell in ends.decided for cell in bounds.cell], bool)
     least = ends.sorted()[0].value + BOUND_ERROR
     return np.flatnonzero(~decided & (bounds.least <= least))
 
 
 def _cells(cosines: Array) -> list[bytes]:
-    """Return keys of the cells of quaternions by signs at the planes; q and −q have the same key."""
+    """Return keys of the cells of quaternions, from signs at the planes; q and −q have the same key."""
     sides = (cosines > 0.0) == (cosines[:, :1] > 0.0)
     return [row.tobytes() for row in np.packbits(sides, axis=1)]
 

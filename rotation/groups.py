@@ -47,7 +47,7 @@ def elements(group: str, axis: str = "Z") -> Array:
 
 
 def _tetrahedral() -> Rows:
-    """The identity, the half turns about the axes, and the turns by a third about the diagonals of a cube."""
+    """Return the identity, half turns about the axes, and third turns about the diagonals of a cube."""
     half = (-0.5, 0.5)
     return [
         *(tuple(row) for row in np.eye(4).tolist()),
@@ -56,7 +56,9 @@ def _tetrahedral() -> Rows:
 
 
 def _octahedral() -> Rows:
-    """Beyond the tetrahedral: quarter turns, and half turns about the diagonals of the faces."""
+    """Return those elements not in the tetrahedral group: quarter turns, and half turns about face
+    diagonals.
+    """
     r = 0.5**0.5
     quarters = [(r, r, 0.0, 0.0), (r, 0.0, r, 0.0), (r, 0.0, 0.0, r)]
     halves = [(0.0, 0.0, r, r), (0.0, r, 0.0, r), (0.0, r, r, 0.0)]
@@ -68,13 +70,15 @@ def _octahedral() -> Rows:
 
 
 def _with_first_turned(q: Row) -> Row:
-    """The same rotation with negative first nonzero coordinate."""
+    """Return the same rotation with a negative first nonzero coordinate."""
     n = next(n for n, c in enumerate(q) if c)
     return (*q[:n], -q[n], *q[n + 1 :])
 
 
 def _icosahedral() -> Rows:
-    """Beyond the tetrahedral: the even permutations of 0 and half of 1, 1/φ and φ, with all signs but one."""
+    """Return the elements of the icosahedral group that are not in the tetrahedral group: even permutations
+    of (0, 1, 1/φ, φ)/2, with signs.
+    """
     golden = (1.0 + 5.0**0.5) / 2.0
     numbers = np.array([0.5, 0.5 / golden, golden / 2.0])
     letters = [*numbers, *-numbers, 0.0]
@@ -87,14 +91,15 @@ def _icosahedral() -> Rows:
     return [tuple(letters[n] for n in (w, x, y, z)) for x, y, z, w in sorted(places)]
 
 
-# In the order that scipy has, but for the identity, which is fourth there.
+# In scipy's order, except for the identity, which is fourth there.
 _BEYOND: dict[str, Callable[[], Rows]] = {"T": list, "O": _octahedral, "I": _icosahedral}
 
 
 def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
-    """Return for quaternions (…, 4) which of (m, 4) and (n, 4) make ``l·p·r`` turn least: two index arrays.
+    """Return, for quaternions (…, 4), the indices into (m, 4) and (n, 4) for which the angle of ``l·p·r`` is
+    least.
 
-    The scalar part of ``l·p·r`` is that of ``(r·l)·p``, which is linear in p: one product of matrices.
+    The scalar part of ``l·p·r`` is that of ``(r·l)·p``, which is linear in p, so it is a matrix product.
     """
     products = product(right[:, None, :], left[None, :, :]).reshape(-1, 4)
     rows = products * np.array([1.0, -1.0, -1.0, -1.0])

@@ -1,7 +1,7 @@
-"""Error messages for wrong arguments that say what to write, also for names of other libraries.
+"""Error messages for wrong arguments, with the code to write instead, also for names of other libraries.
 
-scipy, `rotation.compat` and this package each have a class Rotation, so an error message names the package.
-Classes are recognised by their names, without an import.
+scipy, `rotation.compat` and this package each have a class Rotation, so error messages name the package.
+Classes are recognised by name, without importing them.
 """
 
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ _HOMES = ("scipy.spatial.transform", COMPAT, OURS)  # the last holds the one bef
 
 
 class ClassReference(NamedTuple):
-    """A class of rotations or of rigid transforms: where it is imported from, and its name."""
+    """A class of rotations or rigid transforms: its package and its name."""
 
     home: str
     name: str
@@ -40,7 +40,7 @@ CALLS = {
 
 
 def kind(value: object) -> ClassReference | None:
-    """Return whose rotations or transforms a value is, or None if it is neither."""
+    """Return the class of rotations or transforms to which a value belongs, or None."""
     for ancestor in type(value).__mro__:
         if ancestor.__name__ in NAMES:
             for home in _HOMES:
@@ -50,13 +50,15 @@ def kind(value: object) -> ClassReference | None:
 
 
 def is_scipys(value: object, name: str) -> bool:
-    """Return whether a value is scipy's class of that name, or its drop-in of `rotation.compat`."""
+    """Return whether a value is scipy's class of that name, or its replacement in `rotation.compat`."""
     found = kind(value)
     return found is not None and found.home != OURS and found.name == name
 
 
 def described(value: object) -> str:
-    """Describe a value, or the first entry of a list, with the origin of its class if it is ambiguous."""
+    """Describe a value, or the first entry of a list, with the package of its class if the name is
+    ambiguous.
+    """
     inside = _first(value)
     found = kind(inside)
     of = "" if inside is value or not found else f"{type(value).__name__} of "
@@ -68,9 +70,9 @@ def _first(value: object) -> object:
 
 
 def refusal(value: object, name: str, wanted: str) -> str:
-    """Return an error message: what the argument ``name`` is, what was expected, what to write.
+    """Return an error message: the actual type of the argument ``name``, the expected one, and what to write.
 
-    ``wanted`` is "Rotation" or "RigidTransform", of ours.
+    ``wanted`` is "Rotation" or "RigidTransform", meaning the class of this package.
 
     Examples
     --------
@@ -93,7 +95,7 @@ def refusal(value: object, name: str, wanted: str) -> str:
 
 
 def refuse_arguments(call: str, others: Mapping[str, object]) -> None:
-    """Raise `ArgumentError`, with what to write, for unknown arguments."""
+    """Raise `ArgumentError`, with a hint, for unknown arguments."""
     for name, value in others.items():
         given = shorten(repr(value))
         advice = ARGUMENTS.get(name, "").format(given)
@@ -101,7 +103,7 @@ def refuse_arguments(call: str, others: Mapping[str, object]) -> None:
 
 
 def numbers_expected(value: object, name: str) -> str | None:
-    """Return the words of an error where an array was expected, if the value is a rotation or a transform."""
+    """Return the error text for a rotation or transform passed instead of an array."""
     found = kind(_first(value))
     if found is None:
         return None
@@ -116,7 +118,7 @@ def numbers_expected(value: object, name: str) -> str | None:
 
 
 def _conversion(found: ClassReference, code: str, wanted: str) -> str:
-    """The call that converts another library's rotation or transform."""
+    """Return the call that converts another library's rotation or transform."""
     foreign = found.home != OURS
     if wanted == "RigidTransform":
         if found.name == wanted:
@@ -128,7 +130,7 @@ def _conversion(found: ClassReference, code: str, wanted: str) -> str:
 
 
 def _constructor(value: object, code: str, wanted: str) -> str:
-    """The constructor for an array, by its shape; nothing if none fits."""
+    """Return the constructor that fits the shape of an array; nothing if none fits."""
     shape = tuple(getattr(value, "shape", ()))
     ways = {
         "Rotation": {(4,): "from_quat", (3, 3): "from_matrix", (3,): "from_rotvec"},

@@ -1,4 +1,4 @@
-"""Show rotations and rigid motions in notebooks: a table with a row for each of the first few."""
+"""Notebook display of rotations and rigid motions: a table of the first few."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ ROWS = 6
 
 
 def table(q: Array, t: Array | None = None) -> str | None:
-    """Return unit quaternions (…, 4) and translations (…, 3) as a table of HTML; None unless numpy's.
+    """Return unit quaternions (…, 4) and translations (…, 3) as an HTML table; None unless they are numpy
+    arrays.
 
     >>> "120°" in table(np.full(4, 0.5))
     True

@@ -1,4 +1,4 @@
-"""The base class of immutable arrays of rotations and of rigid motions: shapes, lengths, copies."""
+"""The base class of immutable arrays of rotations and rigid motions: shapes, lengths, copies."""
 
 from abc import abstractmethod
 from collections.abc import Iterator
@@ -20,7 +20,7 @@ class ImmutableArray(Hinted):
     __array_ufunc__ = None
 
     _q: Array
-    _called: ClassVar[str]  # what one of them is, for errors
+    _called: ClassVar[str]  # the name of a single object, for error messages
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a {self._called} is immutable: {name} cannot be set")
@@ -30,7 +30,7 @@ class ImmutableArray(Hinted):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The batch shape, ``()`` for a single one."""
+        """The batch shape, ``()`` for a single element."""
         return tuple(self._q.shape[:-1])
 
     @property
@@ -45,7 +45,7 @@ class ImmutableArray(Hinted):
 
     @property
     def single(self) -> bool:
-        """Whether this is one and not an array of them."""
+        """Whether this is a single element rather than an array."""
         return not self.shape
 
     def __len__(self) -> int:
@@ -58,11 +58,11 @@ class ImmutableArray(Hinted):
 
     @abstractmethod
     def __getitem__(self, index: object) -> Self:
-        """Return some of them."""
+        """Return the elements at an index."""
 
     @abstractmethod
     def __mul__(self, other: object) -> Self:
-        """Return the products: the other is applied first."""
+        """Return the products; ``other`` is applied first."""
 
     @abstractmethod
     def inverse(self) -> Self:
@@ -82,14 +82,14 @@ class ImmutableArray(Hinted):
         """Return the matrices Ad with ``p·exp(x)·p⁻¹ = exp(Ad·x)``."""
 
     def plus(self, tangent: ArrayLike, side: str = "right") -> Self:
-        """Return the motions that a tangent leads to: ``p·exp(x)``, or on the left ``exp(x)·p``.
+        """Return the elements reached along a tangent: ``p·exp(x)``, or on the left ``exp(x)·p``.
 
         Parameters
         ----------
         tangent : array_like, shape (…, 3) for rotations, (…, 6) for rigid motions
             A rotation vector, in radians, or exponential coordinates; the batch shapes broadcast.
         side : "right" or "left"
-            On the right the tangent is given in the axes of the body, on the left in those of the world.
+            A right tangent is in body axes, a left tangent in world axes.
 
         Raises
         ------
@@ -100,9 +100,9 @@ class ImmutableArray(Hinted):
         return self * step if on_the_right(side) else step * self
 
     def minus(self, other: "ImmutableArray", side: str = "right") -> Array:
-        """Return the tangents that lead from another to this one: ``other.plus(x, side) == self``.
+        """Return the tangents from another element to this one: ``other.plus(x, side) == self``.
 
-        ``log(other⁻¹·self)``, or on the left ``log(self·other⁻¹)``; see `plus`.
+        The result is ``log(other⁻¹·self)``, or on the left ``log(self·other⁻¹)``; see `plus`.
 
         Raises
         ------
@@ -121,14 +121,14 @@ class ImmutableArray(Hinted):
         return (self[n] for n in range(len(self)))
 
     def _refuse_factor(self, other: object) -> None:
-        """Raise `DTypeError`, with advice, unless the other factor may implement the product."""
+        """Raise `DTypeError`, with advice, unless the other factor may implement the product itself."""
         found = hints.kind(other)
         if found is not None:
             own = "Rotation" if self._called == "rotation" else "RigidTransform"
             if found == (hints.COMPAT, own) or (
                 found.name == "RigidTransform" and found.home in (hints.COMPAT, hints.OURS)
             ):
-                return  # its class takes ours, or says what is wrong with ours
+                return  # the other class accepts ours, or reports an error about ours
             wanted = max(own, found.name, key=hints.NAMES.index)
             raise DTypeError(hints.refusal(other, "the other factor", wanted))
         if isinstance(other, list | tuple) or hasattr(other, "__array__"):
@@ -186,7 +186,7 @@ class ImmutableArray(Hinted):
 
 
 def on_the_right(side: str) -> bool:
-    """Return whether a side is the right one. Raises `RotationError` for anything but a side."""
+    """Return whether the side is "right". Raises `RotationError` for an invalid side."""
     if side not in ("left", "right"):
         raise RotationError(f'side {side!r}: "left" or "right" is expected')
     return side == "right"

@@ -1,10 +1,10 @@
-"""The exponentials of rotations and of rigid motions to first order: hat and vee, Jacobians, ad.
+"""First-order formulas for exponentials of rotations and rigid motions: hat and vee, Jacobians, ad.
 
-A tangent has three coordinates, a rotation vector v, or six, v and then u, the exponential coordinates of a
-rigid motion. ``J(v) = 1 + A·[v]× + B·[v]×²`` with ``A = (1 − cos θ)/θ²`` and ``B = (θ − sin θ)/θ³``, θ the
-length of v; its inverse is ``1 − ½·[v]× + C·[v]×²`` with ``C = (1 − (θ/2)·cot(θ/2))/θ²``. Rigid motions are
-rotations over dual numbers: their Jacobian is ``J(v + ε·u)``, its blocks ``J(v)`` and the derivative of J
-at v along u. G. S. Chirikjian, "Stochastic models, information theory, and Lie groups" 2 (2012), section
+A tangent has three coordinates, a rotation vector v, or six, the exponential coordinates (v, u) of a rigid
+motion. Let θ be the length of v. Then ``J(v) = 1 + A·[v]× + B·[v]×²`` with ``A = (1 − cos θ)/θ²`` and ``B =
+(θ − sin θ)/θ³``; its inverse is ``1 − ½·[v]× + C·[v]×²`` with ``C = (1 − (θ/2)·cot(θ/2))/θ²``. Rigid motions
+are rotations over dual numbers: their Jacobian is ``J(v + ε·u)``, with blocks ``J(v)`` and the derivative of
+J at v along u. G. S. Chirikjian, "Stochastic models, information theory, and Lie groups" 2 (2012), section
 10.3; T. D. Barfoot, "State estimation for robotics" (2017), section 7.1.
 """
 
@@ -18,7 +18,8 @@ from rotation.namespaces import floats, namespace, quiet, refuse_rows
 from rotation.rowwise import RowFormula
 
 _TERMS = 12
-# By t = θ²: of A, B and C, whose quotients lose their digits where t is small; and twice their derivatives.
+# Series in t = θ² for A, B and C, whose quotients lose digits if t is small, and for twice their
+# derivatives.
 _A = [(-1.0) ** k / math.factorial(2 * k + 2) for k in range(_TERMS)]
 _B = [(-1.0) ** k / math.factorial(2 * k + 3) for k in range(_TERMS)]
 _BERNOULLI = (
@@ -31,7 +32,7 @@ Entries = list[list[Array]]
 
 
 def hat(tangent: ArrayLike) -> Array:
-    """Return the matrices of tangents: ``[v]×`` (…, 3, 3) of (…, 3), ``[[ [v]×, u ], [0, 0]]`` of (…, 6).
+    """Return the matrices of tangents: ``[v]×`` (…, 3, 3) for (…, 3), ``[[ [v]×, u ], [0, 0]]`` for (…, 6).
 
     Their exponentials are the matrices of the rotations and of the rigid motions.
 
@@ -53,15 +54,15 @@ def hat(tangent: ArrayLike) -> Array:
 
 @quiet
 def vee(matrix: ArrayLike) -> Array:
-    """Return the tangents, (…, 3) or (…, 6), of matrices (…, 3, 3) or (…, 4, 4): what `hat` undoes.
+    """Return the tangents, (…, 3) or (…, 6), of matrices (…, 3, 3) or (…, 4, 4): the inverse of `hat`.
 
-    A matrix with NaN or inf in it gives NaN.
+    A matrix that contains NaN or inf gives NaN.
 
     Raises
     ------
     RotationError
-        Another shape; or a matrix that `hat` does not make: the block of three is not skew, or the last of
-        four rows not zero, to 1e-9 of its largest entry (of float32: 1e-4).
+        Another shape; or a matrix that is not a result of `hat`: the 3 × 3 block is not skew-symmetric, or
+        the last of four rows is not zero, to within 1e-9 of the largest entry (float32: 1e-4).
 
     Examples
     --------
@@ -84,7 +85,7 @@ def vee(matrix: ArrayLike) -> Array:
 
 
 def ad(tangent: ArrayLike) -> Array:
-    """Return the matrices of ``y ↦ [x, y]``, (…, 3, 3) of tangents (…, 3) and (…, 6, 6) of (…, 6).
+    """Return the matrices of ``y ↦ [x, y]``: (…, 3, 3) for tangents (…, 3), (…, 6, 6) for tangents (…, 6).
 
     ``exp(ad(x))`` is the adjoint of ``exp(x)``; ``hat(ad(x)·y) = hat(x)·hat(y) − hat(y)·hat(x)``.
 
@@ -103,10 +104,10 @@ def ad(tangent: ArrayLike) -> Array:
 
 
 def left_jacobian(tangent: ArrayLike) -> Array:
-    """Return the left Jacobians of the exponential at tangents: (…, 3, 3) of (…, 3), (…, 6, 6) of (…, 6).
+    """Return the left Jacobians of the exponential at tangents: (…, 3, 3) for (…, 3), (…, 6, 6) for (…, 6).
 
-    ``exp(v + dv) = exp(J(v)·dv)·exp(v)`` to first order. A body whose rotation vector (radians) changes at
-    the rate v̇ has the angular velocity ``J(v)·v̇`` in the axes of the world.
+    To first order ``exp(v + dv) = exp(J(v)·dv)·exp(v)``. If the rotation vector v (in radians) of a body
+    changes at the rate v̇, the body has angular velocity ``J(v)·v̇`` in world axes.
 
     Raises
     ------
@@ -125,9 +126,9 @@ def left_jacobian(tangent: ArrayLike) -> Array:
 
 
 def right_jacobian(tangent: ArrayLike) -> Array:
-    """Return the right Jacobians, ``exp(v + dv) = exp(v)·exp(J(v)·dv)`` to first order; see `left_jacobian`.
+    """Return the right Jacobians: ``exp(v + dv) = exp(v)·exp(J(v)·dv)`` to first order; see `left_jacobian`.
 
-    ``J(v)·v̇`` is the angular velocity in the axes of the body.
+    ``J(v)·v̇`` is the angular velocity in body axes.
 
     Examples
     --------
@@ -138,10 +139,10 @@ def right_jacobian(tangent: ArrayLike) -> Array:
 
 
 def inverse_left_jacobian(tangent: ArrayLike) -> Array:
-    """Return the inverses of the left Jacobians: those of the logarithm, (…, 3, 3) or (…, 6, 6).
+    """Return the inverses of the left Jacobians, the Jacobians of the logarithm: (…, 3, 3) or (…, 6, 6).
 
-    ``log(exp(dv)·exp(v)) = v + J⁻¹(v)·dv`` to first order. At rotation vectors whose lengths are multiples of
-    2π other than 0 there is none: entries are large or not finite there.
+    To first order ``log(exp(dv)·exp(v)) = v + J⁻¹(v)·dv``. At rotation vectors whose lengths are nonzero
+    multiples of 2π there is no inverse, and entries are large or not finite.
 
     Raises
     ------
@@ -180,10 +181,9 @@ def _tangents(tangent: ArrayLike) -> Array:
 
 
 def _parts(xp: Namespace, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
-    """Return the mask of short v for which series are used, θ² there, v there and its direction elsewhere,
-    and θ/2.
+    """Return a mask of short v (for series), θ², v for short ones and its direction for others, and θ/2.
 
-    Nothing is squared where that may overflow, and where a value is not asked for it is harmless.
+    Squares that may overflow are not computed; values that are not needed are set to harmless ones.
     """
     t = sum_of_squares(v)
     near = t < _NEAR
@@ -197,7 +197,7 @@ def _parts(xp: Namespace, v: Coordinates) -> tuple[Array, Array, Coordinates, Ar
 
 
 def exponential_factors(xp: Namespace, v: Coordinates) -> tuple[Coordinates, Array, Array]:
-    """Return the vectors u, and a and b, for which J(v) is ``1 + a·[u]× + b·[u]×²``."""
+    """Return the vectors u, and a and b, such that J(v) is ``1 + a·[u]× + b·[u]×²``."""
     near, small, axis, half = _parts(xp, v)
     sine, cosine = xp.sin(half), xp.cos(half)
     a = xp.where(near, polynomial(_A, small), sine * (sine / half))
@@ -206,13 +206,13 @@ def exponential_factors(xp: Namespace, v: Coordinates) -> tuple[Coordinates, Arr
 
 
 def logarithm_factor(xp: Namespace, v: Coordinates) -> tuple[Coordinates, Array]:
-    """Return the vectors u, and c, for which J⁻¹(v) is ``1 − ½·[v]× + c·[u]×²``."""
+    """Return the vectors u, and c, such that J⁻¹(v) is ``1 − ½·[v]× + c·[u]×²``."""
     near, small, axis, half = _parts(xp, v)
     return axis, xp.where(near, polynomial(_C, small), 1.0 - half * xp.cos(half) / xp.sin(half))
 
 
 def _entries(linear: Coordinates, axis: Coordinates, square: Array, one: Array) -> Entries:
-    """``one + [linear]× + square·[axis]×²``."""
+    """Return ``one + [linear]× + square·[axis]×²``."""
     (p, q, r), (x, y, z) = linear, axis
     xy, xz, yz = square * (x * y), square * (x * z), square * (y * z)
     return [
@@ -223,7 +223,7 @@ def _entries(linear: Coordinates, axis: Coordinates, square: Array, one: Array) 
 
 
 def _mixed(axis: Coordinates, u: Coordinates, linear: Coordinates, b: Array, db: Array) -> Entries:
-    """``[linear]× + b·([axis]×[u]× + [u]×[axis]×) + db·(axis·u)·[axis]×²``."""
+    """Return ``[linear]× + b·([axis]×[u]× + [u]×[axis]×) + db·(axis·u)·[axis]×²``."""
     along = axis[0] * u[0] + axis[1] * u[1] + axis[2] * u[2]
     found = _entries(linear, axis, db * along, -2.0 * (b * along))
     for row, (x, y) in zip(found, zip(axis, u, strict=True), strict=True):
@@ -236,7 +236,7 @@ def _stacked(xp: Namespace, rows: Entries) -> Array:
 
 
 def _blocks(xp: Namespace, block: Entries, mixed: Entries) -> Array:
-    """The matrix ``[[block, 0], [mixed, block]]``."""
+    """Return the matrix ``[[block, 0], [mixed, block]]``."""
     nothing = [xp.zeros_like(block[0][0])] * 3
     above = [[*row, *nothing] for row in block]
     return _stacked(xp, above + [[*m, *row] for m, row in zip(mixed, block, strict=True)])

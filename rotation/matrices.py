@@ -1,4 +1,4 @@
-"""Rotation matrices of shape (…, 3, 3): the axes (thesis 2.2.2), to and from quaternions (2.2.5)."""
+"""Rotation matrices of shape (…, 3, 3): about axes (thesis 2.2.2), to and from quaternions (2.2.5)."""
 
 from functools import reduce
 from operator import add
@@ -10,7 +10,7 @@ from rotation.namespaces import expect_last, finfo, floats, namespace, quiet, re
 from rotation.optimum import davenport, with_derivatives, without_derivatives
 from rotation.rowwise import RowFormula, flag_if, rarely
 
-# How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
+# The largest difference of an entry of RᵀR from 1 in a matrix that is accepted as a rotation.
 TOLERANCE = {64: 1e-6, 32: 1e-3}  # by the bits of a float
 
 # What to add to a number of at most 1 and take away again, to round it to a multiple of 2⁻²⁶ or 2⁻¹¹.
@@ -20,7 +20,7 @@ Entries = list[list[Array]]
 
 
 def R_x(angle: ArrayLike, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2).
+    """Return the matrices (…, 3, 3) of rotations by ``angle`` (…) about x (thesis, section 2.2.2).
 
     Examples
     --------
@@ -33,7 +33,7 @@ def R_x(angle: ArrayLike, degrees: bool = False) -> Array:
 
 
 def R_y(angle: ArrayLike, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2).
+    """Return the matrices (…, 3, 3) of rotations by ``angle`` (…) about y (thesis, section 2.2.2).
 
     Examples
     --------
@@ -46,7 +46,7 @@ def R_y(angle: ArrayLike, degrees: bool = False) -> Array:
 
 
 def R_z(angle: ArrayLike, degrees: bool = False) -> Array:
-    """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about z (thesis, section 2.2.2).
+    """Return the matrices (…, 3, 3) of rotations by ``angle`` (…) about z (thesis, section 2.2.2).
 
     Examples
     --------
@@ -62,7 +62,7 @@ def R_z(angle: ArrayLike, degrees: bool = False) -> Array:
 def _about(axis: int, angle: ArrayLike, degrees: bool) -> Array:
     a = floats(angle, "angles")
     xp = namespace(a)
-    (s, c), zero = waves(xp, a, degrees), 0.0 * xp.abs(a)  # NaN in the whole matrix where it is
+    (s, c), zero = waves(xp, a, degrees), 0.0 * xp.abs(a)  # NaN fills the whole matrix
     entries = [[zero] * 3 for _ in range(3)]
     j, k = (axis + 1) % 3, (axis + 2) % 3  # the plane that turns, from j towards k
     entries[axis][axis] = 1.0 + zero
@@ -80,10 +80,10 @@ def _entries(m: Array) -> Entries:
 
 
 def to_matrix(q: Array) -> Array:
-    """Return the matrices (…, 3, 3) of quaternions (…, 4) whose norm is 1, or off by rounding.
+    """Return the matrices (…, 3, 3) of quaternions (…, 4) whose norm is 1 up to rounding.
 
-    N(q) is computed with twice the digits, and how far it is from 1 is taken off each entry: an entry is
-    right to 2·2⁻⁵² (docs/explanation/rotation-errors.md proves it), and the matrix orthogonal.
+    N(q) is computed with twice the digits, and its deviation from 1 is corrected in each entry. Entries are
+    accurate to 2·2⁻⁵² (docs/explanation/rotation-errors.md proves it), and the matrix is orthogonal.
     """
     return TO_MATRIX(q)
 
@@ -93,9 +93,10 @@ def _to_matrix(q: Array) -> Array:
 
 
 def matrix_entries(c: Coordinates) -> Entries:
-    """Return the entries of the matrices of `to_matrix`, row by row, of the coordinates of quaternions."""
+    """Return the entries of the matrices of `to_matrix`, row by row, from the coordinates of quaternions."""
     xp = namespace(c[0])
-    # Upper halves on a grid so coarse that squares and sums of theirs are exact; the rest is small.
+    # Upper halves on a grid so coarse that their squares and sums are exact; the remainders are
+    # small.
     grid = _GRID[finfo(xp, c[0]).bits]
     upper = [(a + grid) - grid for a in c]
     ww, xx, yy, zz = (h * h for h in upper)
@@ -133,7 +134,7 @@ TO_MATRIX = RowFormula(_to_matrix, (4,))
 def from_matrix(matrix: ArrayLike, orthonormalize: bool = False) -> Array:
     """Return the unit quaternions (…, 4) of rotation matrices (…, 3, 3).
 
-    What is off orthogonal by rounding is replaced by the nearest rotation first.
+    Matrices that are orthogonal only up to rounding are first replaced by the nearest rotation.
 
     Parameters
     ----------
@@ -194,7 +195,7 @@ _FROM_MATRIX = {
 
 @quiet
 def from_columns(numbers: ArrayLike) -> Array:
-    """Return the unit quaternions of pairs of columns (…, 6), made orthonormal by Gram and Schmidt."""
+    """Return the unit quaternions of pairs of columns (…, 6), orthonormalised by Gram–Schmidt."""
     c = floats(numbers, "pairs of columns")
     expect_last(c, (6,), "pairs of columns")
     xp = namespace(c)
@@ -217,24 +218,26 @@ def from_columns(numbers: ArrayLike) -> Array:
 
 
 def _bits(matrix: ArrayLike, xp: Namespace) -> int:
-    """32 for single precision, 64 for everything else that a matrix may be given as."""
+    """Return 32 for single precision, and 64 for every other type in which a matrix may be given."""
     return 32 if getattr(matrix, "dtype", None) == xp.float32 else 64
 
 
 @quiet
 def scaled(xp: Namespace, m: Array) -> Array:
-    """Matrices scaled to largest entry 1, so that no product of entries over- or underflows."""
+    """Return matrices scaled to largest entry 1, so that products of entries neither overflow nor
+    underflow.
+    """
     return m / largest(xp, m)
 
 
 def largest(xp: Namespace, m: Array) -> Array:
-    """Return the largest absolute entries of matrices, shape (…, 1, 1); 1 where all are 0."""
+    """Return the largest absolute entries of matrices, shape (…, 1, 1); 1 for zero matrices."""
     found = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
     return xp.where(found > 0.0, found, xp.ones_like(found))
 
 
 def _faults(m: Array) -> Array:
-    """The determinant, and how far ``RᵀR`` is from 1; both NaN unless all entries are finite."""
+    """Return the determinant, and the deviation of ``RᵀR`` from 1; both NaN unless all entries are finite."""
     r = _entries(m)
     determinant = _determinant(r)
     xp = namespace(m)
@@ -252,7 +255,7 @@ def _determinant(r: Entries) -> Array:
 
 
 def _gram(r: Entries) -> tuple[Array, ...]:
-    """The entries of the symmetric ``RᵀR``: (0,0), (1,1), (2,2), (0,1), (0,2), (1,2)."""
+    """Return the entries of the symmetric ``RᵀR``: (0,0), (1,1), (2,2), (0,1), (0,2), (1,2)."""
     columns = list(zip(*r, strict=True))
     pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
     return tuple(
@@ -261,14 +264,16 @@ def _gram(r: Entries) -> tuple[Array, ...]:
 
 
 def _off(xp: Namespace, r: Entries) -> Array:
-    """The largest entry of ``|RᵀR − 1|``."""
+    """Return the largest entry of ``|RᵀR − 1|``."""
     g = _gram(r)
     errors = [*(xp.abs(x - 1.0) for x in g[:3]), *(xp.abs(x) for x in g[3:])]
     return reduce(xp.maximum, errors)
 
 
 def _polished(xp: Namespace, r: Entries) -> Entries:
-    """The nearest orthogonal matrices to nearly orthogonal ones, by Newton and Schulz, row by row."""
+    """Return the orthogonal matrices nearest to nearly orthogonal ones, by Newton–Schulz steps, row
+    by row.
+    """
     rough = _off(xp, r) > 8.0 * float(finfo(xp, r[0][0]).eps)
 
     def steps() -> tuple[Array, ...]:
@@ -299,7 +304,7 @@ def _newton(r: Entries) -> Entries:
 
 @quiet
 def _nearest(xp: Namespace, m: Array) -> Array:
-    """The orthogonal polar factor of matrices of nonnegative determinant; NaN rows stay."""
+    """Return the orthogonal polar factor of matrices of nonnegative determinant; NaN rows stay NaN."""
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))[..., None, None]
     u, s, vt = xp.linalg.svd(xp.where(finite, m, xp.eye(3, dtype=m.dtype)))
     refuse_rows(
@@ -311,7 +316,7 @@ def _nearest(xp: Namespace, m: Array) -> Array:
 
 
 def _proper(u: Array, s: Array, vt: Array) -> Array:
-    """Return u, and s below it, of matrices ``u·s·vt``, with signs by which ``u·vt`` is a rotation."""
+    """Return u with s below it, for matrices ``u·s·vt``, with signs such that ``u·vt`` is a rotation."""
     xp = namespace(u)
     rows = _proper_rows(xp, _entries(u), split(s), _entries(vt))
     return xp.stack([join(xp, row) for row in rows], axis=-2)
@@ -326,9 +331,10 @@ PROPER = RowFormula(_proper, (3, 3), (3,), (3, 3))
 
 
 def _nearest_to_svd(u: Array, s: Array, vt: Array) -> Array:
-    """The quaternion of the rotation nearest to ``u·s·vt``.
+    """Return the quaternion of the rotation nearest to ``u·s·vt``.
 
-    Flagged where several rotations are, up to rounding, or where a sum may have lost small terms.
+    The row is flagged if the nearest rotation is not unique up to rounding, or if a sum may have lost small
+    terms.
     """
     xp = namespace(u)
     v = _entries(vt)
@@ -346,7 +352,7 @@ NEAREST_TO_SVD = RowFormula(_nearest_to_svd, (3, 3), (3,), (3, 3))
 
 
 def _dominant_row(xp: Namespace, r: Entries) -> Coordinates:
-    """A multiple of q: of the four rows of ``4·q·qᵀ`` the one with the largest diagonal entry.
+    """Return a multiple of q: the row of ``4·q·qᵀ`` with the largest diagonal entry.
 
     S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978).
     """

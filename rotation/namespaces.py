@@ -1,8 +1,8 @@
-"""Choose the array library of a call: numpy for plain arguments, else that of the array.
+"""Choose the array library of a call: numpy for plain arguments, else the library of the array.
 
-The conversions of this package are written against the Python array API standard, so an array of
-JAX, CuPy, torch or array-api-strict stays where it is. numpy is quiet inside them: a NaN in the input is
-a NaN in the output and no warning.
+The conversions of this package are written against the Python array API standard, so arrays of JAX, CuPy,
+torch or array-api-strict keep their library and device. numpy warnings are disabled inside them: a NaN in the
+input gives a NaN in the output without a warning.
 """
 
 import contextlib
@@ -25,7 +25,7 @@ _PLAIN = (int, float, list, tuple, type(None))
 
 
 def namespace(*values: object) -> Namespace:
-    """Return the one array namespace to which all ``values`` belong; numbers and lists fit everywhere.
+    """Return the common array namespace of all ``values``; numbers and lists fit every namespace.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def is_numpy(xp: object) -> bool:
 
 
 def finfo(xp: Namespace, number: Array) -> Limits:
-    """Return the limits of the kind of float that a coordinate has."""
+    """Return the limits of the float type of a coordinate."""
     return xp.finfo(getattr(number, "dtype", None))
 
 
@@ -85,7 +85,7 @@ def _own_namespace(value: object) -> Namespace | None:
         return None
     if hasattr(value, "__array_namespace__"):
         return cast(Namespace, value.__array_namespace__())
-    # torch and older CuPy do not name their namespace; the compatibility package does it for them.
+    # torch and older CuPy do not provide their namespace; the compatibility package does.
     if type(value).__module__.partition(".")[0] in ("torch", "cupy"):
         with contextlib.suppress(ImportError):
             return cast(Namespace, import_module("array_api_compat").array_namespace(value))
@@ -97,7 +97,7 @@ def _own_namespace(value: object) -> Namespace | None:
 
 
 def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
-    """Return ``value`` as an array of floats: float64 in numpy, the array's own precision elsewhere.
+    """Return ``value`` as an array of floats: float64 in numpy, the array's own precision in other libraries.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
     what : str
         What the value is, for the message.
     xp : namespace, optional
-        Where the array shall live; by default where it lives already.
+        The device for the array; by default its present device.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
 
 
 def points_of(value: object, xp: Namespace) -> Array:
-    """Return points (…, 3) in their own precision; whole numbers become the library's usual floats."""
+    """Return points (…, 3) in their own precision; integers become the library's default floats."""
     points: Array = real(value, "points") if is_numpy(xp) else floats(value, "points", xp)
     expect_last(points, (3,), "points")
     return points
@@ -157,7 +157,9 @@ def number(value: int | float, what: str) -> float:
 
 
 def _as_array(xp: Namespace, value: object, what: str) -> Array:
-    """Return numbers or nested lists as an array of a library, whose own errors say less than ours."""
+    """Return numbers or nested lists as an array of a library, with our error messages instead of the
+    library's.
+    """
     expect_numbers(value, what)
     try:
         return xp.asarray(value)
@@ -170,7 +172,7 @@ def _as_array(xp: Namespace, value: object, what: str) -> Array:
 
 
 def copied(array: Array) -> Array:
-    """Return a copy, through which derivatives go."""
+    """Return a copy that derivatives pass through."""
     return (
         array.copy() if is_numpy(namespace(array)) else namespace(array).astype(array, array.dtype)
     )
@@ -184,7 +186,9 @@ def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
 
 
 def spread(xp: Namespace, array: Array, shape: tuple[int, ...], what: str) -> Array:
-    """Return ``array`` broadcast to ``shape``; raises `RotationError` where it does not, in any library."""
+    """Return ``array`` broadcast to ``shape``; raises `RotationError` if it does not broadcast, in any
+    library.
+    """
     own = tuple(array.shape)
     try:
         fits = np.broadcast_shapes(own, shape) == shape
@@ -198,8 +202,8 @@ def spread(xp: Namespace, array: Array, shape: tuple[int, ...], what: str) -> Ar
 def certainly(condition: Array) -> bool:
     """Return the truth value of a condition on one number; False if it is traced.
 
-    While JAX traces a function, or torch maps one over a batch, no value is known and nothing can be refused:
-    then it is False.
+    While JAX traces a function, or torch maps one over a batch, values are unknown and no argument can be
+    rejected; then the result is False.
     """
     try:
         return bool(condition)
@@ -220,7 +224,7 @@ def first_row(bad: Array) -> tuple[int, ...] | None:
 
 
 def refuse_zeros(vectors: Array, what: str) -> None:
-    """Raise `ZeroRotationError` naming the first row of ``vectors`` that is zero."""
+    """Raise `ZeroRotationError` with the index of the first zero row of ``vectors``."""
     xp = namespace(vectors)
     if is_numpy(xp) and not (vectors[..., 0] == 0.0).any():  # which clears most arrays, for little
         return
@@ -230,7 +234,7 @@ def refuse_zeros(vectors: Array, what: str) -> None:
 
 
 def refuse_rows(bad: Array, subject: str, fault: str) -> None:
-    """Raise `RotationError`, "``subject`` in row 3 ``fault``", about the first row where ``bad``."""
+    """Raise `RotationError`, "``subject`` in row 3 ``fault``", for the first row where ``bad`` is true."""
     row = first_row(bad)
     if row is not None:
         where = f" in row {row[0] if len(row) == 1 else row}" if row else ""

@@ -1,9 +1,10 @@
-"""Find the unit quaternion with the largest ``qᵀ·K·q``, with derivatives that are finite.
+"""Find the unit quaternion that maximises ``qᵀ·K·q``, with finite derivatives.
 
-Nearest rotations, means and best fits are all of this kind (P. Davenport's q-method). Derivatives through
-singular values or eigenvectors are NaN if two values are equal, although the quaternion depends smoothly
-on K. So the decomposition is computed on numbers without derivatives, and two steps of Newton's method
-follow. They do not change the value, and give the first and second derivatives of the solution.
+Nearest rotations, means and best fits are all problems of this kind (P. Davenport's q-method). Derivatives
+through singular values or eigenvectors are NaN if two values are equal, although the quaternion depends
+smoothly on K. So the decomposition is computed on numbers without derivatives, followed by two steps of
+Newton's method. These steps do not change the value, and give the first and second derivatives of the
+solution.
 """
 
 from collections.abc import Sequence
@@ -46,7 +47,7 @@ def davenport(m: Sequence[Sequence[Array]]) -> Matrix:
 
 
 def with_derivatives(q: Array, k: Matrix) -> Array:
-    """Return q (…, 4), at which ``qᵀ·K·q`` is largest, with the derivatives that it has by K."""
+    """Return q (…, 4), which maximises ``qᵀ·K·q``, with its derivatives with respect to K."""
     if not any(is_differentiable(entry) for row in k for entry in row):
         return q
     c = split(without_derivatives(q))
@@ -82,7 +83,7 @@ def _image(k: Matrix, q: Coordinates) -> Coordinates:
 
 
 def _solved(m: list[list[Array]], v: list[Array]) -> list[Array]:
-    """Solve ``M·x = v`` by cofactors: a library's own solver may raise for a row that holds NaN."""
+    """Solve ``M·x = v`` by cofactors; a library's own solver may raise an error for a row with NaN."""
     (a, b, c), (d, e, f), (g, h, i) = m
     cofactors = (
         (e * i - f * h, c * h - b * i, b * f - c * e),

@@ -1,11 +1,11 @@
 """The plane (thesis 2.1): rotations, reflections, complex numbers, polar form, polygons.
 
-Points are arrays of shape (…, 2), angles arrays of any shape, in radians unless ``degrees=True``.
-All functions broadcast; angles of shape (m, 1) and n points give all m·n pairs. The points' dtype
-decides the result's: float32 and float64 are kept, integers become float64, anything else raises.
-NaN and inf give NaN in that row alone.
+Points are arrays of shape (…, 2), and angles arrays of any shape, in radians unless ``degrees=True``. All
+functions broadcast; angles of shape (m, 1) and n points give all m·n pairs. The dtype of the points
+determines that of the result: float32 and float64 are kept, integers become float64, anything else raises an
+error. NaN and inf give NaN in that row only.
 
-Multiples of 90 degrees are exact with ``degrees=True``: ``R2(90, degrees=True)`` has no 6e-17.
+Multiples of 90 degrees are exact with ``degrees=True``: ``R2(90, degrees=True)`` contains no 6e-17.
 """
 
 from __future__ import annotations
@@ -47,9 +47,9 @@ def R2(psi: ArrayLike, *, degrees: bool = False) -> Floats:
 def reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
     """Return the reflections [[cos θ, sin θ], [sin θ, −cos θ]], shape (…, 2, 2) (2.1.2, corrected).
 
-    Each is the mirror in the line through the origin at the angle θ/2: θ = 0 is the x axis, θ = π the
-    y axis. They are all the orthogonal matrices of determinant −1; what the thesis prints in their
-    place is :func:`printed_orthogonal` and :func:`printed_reflection`.
+    Each is the reflection in the line through the origin at the angle θ/2: θ = 0 gives the x axis, θ = π the
+    y axis. These are all orthogonal matrices of determinant −1. The thesis prints :func:`printed_orthogonal`
+    and :func:`printed_reflection` instead.
 
     Examples
     --------
@@ -62,9 +62,9 @@ def reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
 
 
 def printed_orthogonal(theta: ArrayLike, *, degrees: bool = False) -> Floats:
-    """Return [[cos θ, sin θ], [sin θ, cos θ]], which 2.1.2 prints for any orthogonal matrix.
+    """Return [[cos θ, sin θ], [sin θ, cos θ]], which 2.1.2 prints as the form of every orthogonal matrix.
 
-    Also the O(θ) of example 3. Its determinant is cos 2θ: it is orthogonal only where sin 2θ = 0.
+    It is also the O(θ) of example 3. Its determinant is cos 2θ, and it is orthogonal only if sin 2θ = 0.
     """
     c, s = _cos_sin(theta, degrees)
     return _matrix(c, s, s, c)
@@ -73,7 +73,8 @@ def printed_orthogonal(theta: ArrayLike, *, degrees: bool = False) -> Floats:
 def printed_reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
     """Return [[cos θ, −sin θ], [sin θ, −cos θ]], which 2.1.2 prints for determinant −1.
 
-    Its determinant is −cos 2θ; θ = 0 and π give the two mirrors that example 3 finds to keep areas.
+    Its determinant is −cos 2θ; θ = 0 and π give the two reflections that preserve areas according to example
+    3.
     """
     c, s = _cos_sin(theta, degrees)
     return _matrix(c, -s, s, -c)
@@ -82,7 +83,7 @@ def printed_reflection(theta: ArrayLike, *, degrees: bool = False) -> Floats:
 def transform(matrices: ArrayLike, points: ArrayLike) -> Floats:
     """Return the 2 × 2 matrices (…, 2, 2) times the points (…, 2), broadcast.
 
-    Raises :class:`~rotation.errors.RotationError` for other shapes, or such as do not broadcast.
+    Raises :class:`~rotation.errors.RotationError` for other shapes, and for shapes that do not broadcast.
     """
     m, p = real(matrices, "matrices"), _points(points)
     if m.ndim < 2 or m.shape[-2:] != (2, 2):
@@ -99,7 +100,7 @@ def transform(matrices: ArrayLike, points: ArrayLike) -> Floats:
 
 
 def rotate2(points: ArrayLike, psi: ArrayLike, *, degrees: bool = False) -> Floats:
-    """Return the points (…, 2) turned anticlockwise about the origin by ψ, broadcast (2.1).
+    """Return the points (…, 2) rotated counterclockwise about the origin by ψ, broadcast (2.1).
 
     >>> rotate2(LETTER_T, 90, degrees=True)[0]
     array([-1., 10.])
@@ -108,7 +109,7 @@ def rotate2(points: ArrayLike, psi: ArrayLike, *, degrees: bool = False) -> Floa
 
 
 def reflect2(points: ArrayLike, theta: ArrayLike, *, degrees: bool = False) -> Floats:
-    """Return the points (…, 2) mirrored in the line through the origin at the angle θ/2, broadcast.
+    """Return the points (…, 2) reflected in the line through the origin at the angle θ/2, broadcast.
 
     Examples
     --------
@@ -121,8 +122,8 @@ def reflect2(points: ArrayLike, theta: ArrayLike, *, degrees: bool = False) -> F
 def to_polar(points: ArrayLike) -> tuple[Floats, Floats]:
     """Return r and θ of the points (…, 2), θ in [−π, π] (2.1).
 
-    θ is ``atan2(y, x)``, right in all four quadrants and on the y axis, where the thesis's
-    arctg(y/x), :func:`printed_angle`, is not. The origin has r = θ = 0.
+    θ is ``atan2(y, x)``, which is correct in all four quadrants and on the y axis, unlike the thesis's
+    arctg(y/x), :func:`printed_angle`. The origin has r = θ = 0.
     """
     p = _points(points)
     x, y = p[..., 0], p[..., 1]
@@ -142,9 +143,10 @@ def from_polar(r: ArrayLike, theta: ArrayLike) -> Floats:
 
 
 def printed_angle(points: ArrayLike) -> Floats:
-    """Return arctg(y/x), which 2.1 and 2.1.3 print for θ: off by π where x < 0.
+    """Return arctg(y/x), which 2.1 and 2.1.3 print for θ; it is off by π if x < 0.
 
-    For x = 0 there is no quotient; floats then give ±π/2 by the signs of their zeros, NaN at the origin.
+    For x = 0 the quotient does not exist; floats then give ±π/2 by the signs of their zeros, and NaN at the
+    origin.
     """
     p = _points(points)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -168,7 +170,7 @@ def from_complex(z: ArrayLike) -> Floats:
 
 
 def unit_complex(psi: ArrayLike, *, degrees: bool = False) -> Complexes:
-    """Return e^{iψ} = cos ψ + i sin ψ, shape (…): to multiply by it is to rotate by ψ (2.1.3)."""
+    """Return e^{iψ} = cos ψ + i sin ψ, shape (…); multiplication by it is rotation by ψ (2.1.3)."""
     c, s = _cos_sin(psi, degrees)
     return to_complex(np.stack([c, s], axis=-1))
 
@@ -176,7 +178,7 @@ def unit_complex(psi: ArrayLike, *, degrees: bool = False) -> Complexes:
 def signed_area(polygon: ArrayLike) -> Floats:
     """Return the areas of polygons (…, n, 2), n ≥ 3, by the shoelace formula; negative if clockwise.
 
-    The corners are taken from the first one, so that a polygon far from the origin loses no digits.
+    Coordinates are taken relative to the first corner, so that a polygon far from the origin loses no digits.
     Raises :class:`~rotation.errors.RotationError` for fewer than 3 corners.
     """
     p = _points(polygon)
@@ -191,29 +193,29 @@ def signed_area(polygon: ArrayLike) -> Floats:
 
 
 def area(polygon: ArrayLike) -> Floats:
-    """Return the areas of simple polygons (…, n, 2), without sign."""
+    """Return the areas of simple polygons (…, n, 2), without signs."""
     return np.abs(signed_area(polygon))
 
 
 def orientation(polygon: ArrayLike) -> Floats:
-    """Return +1 for polygons (…, n, 2) that run anticlockwise, −1 for clockwise, 0 for no area."""
+    """Return +1 for counterclockwise polygons (…, n, 2), −1 for clockwise ones, 0 for area 0."""
     return np.sign(signed_area(polygon))
 
 
 def _cos_sin(angles: ArrayLike, degrees: bool = False) -> tuple[Floats, Floats]:
-    """Return cosines and sines; those of degrees are exact at multiples of 90."""
+    """Return cosines and sines; in degrees they are exact at multiples of 90."""
     with np.errstate(invalid="ignore"):  # inf gives NaN
         s, c = waves(NUMPY, real(angles, "angles"), degrees)
     return c, s
 
 
 def _precise(angles: ArrayLike) -> Floats:
-    """Return angles as float64: the points' dtype decides the result, not the angles'."""
+    """Return angles as float64, since the dtype of the result depends only on the points."""
     return real(angles, "angles").astype(np.float64, copy=False)
 
 
 def _poison(*coordinates: Floats) -> Floats:
-    """Return NaN where a coordinate is NaN or inf, else −0, which changes no sum."""
+    """Return NaN where a coordinate is NaN or inf, else −0, which does not change sums."""
     return reduce(add, (np.abs(c) * c.dtype.type(-0.0) for c in coordinates))
 
 

@@ -11,21 +11,21 @@ from rotation.curves import spline
 
 _PRECISIONS = ((np.float64, np.float64), (np.float32, np.float64), (np.float32, np.float32))
 _ROOMS = (jacobians, rigid_motions, rotation, spline)  # whose formulas are made on import
-# Of the points and of what turns them, whether there are many or one for all.
+# For the points and for the rotations: whether there are many, or one for all.
 _MANY_OR_ONE = ((True, True), (True, False), (False, True))
 
 
 def warm_up(sequences: str | Iterable[str] = ("ZYX", "xyz")) -> None:
-    """Compile now what would be compiled on first use, and cache it on disk if possible.
+    """Compile now everything that would be compiled on first use, and cache it on disk if possible.
 
-    That is each formula, and each loop over points (…, 3) and (3, …) in one piece, of both precisions. Each
-    takes some hundredths of a second, all of them some seconds, once on a machine. Nothing of this is
-    needed: calls compile what they miss, such as a loop for arrays with other strides.
+    This covers each formula, and each loop over contiguous points (…, 3) and (3, …), in both precisions. Each
+    takes some hundredths of a second, all of them some seconds, once per machine. None of this is required:
+    calls compile what they need, such as a loop for arrays with other strides.
 
     Parameters
     ----------
     sequences : str or iterable of str
-        Those of Euler angles that will be used; each takes most of a second, and "all" stands for the 24 of
+        The Euler sequences that will be used; each takes almost a second, and "all" means the 24 sequences of
         three letters.
 
     Raises

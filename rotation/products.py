@@ -5,14 +5,14 @@ from rotation.array_types import Array
 from rotation.errors import RotationError
 from rotation.namespaces import is_numpy, namespace
 
-_DOUBLED_PRODUCTS = 1000  # products, of which doubling loses no more than a digit
+_DOUBLED_PRODUCTS = 1000  # products; doubling them loses at most one digit
 
 
 def running_products(q: Array, frame: str) -> Array:
-    """Return the products of unit quaternions (n, …, 4) up to each along the first axis.
+    """Return the products of unit quaternions (n, …, 4) up to each one along the first axis.
 
-    ``frame="world"``: ``q[n]·…·q[0]``; ``frame="body"``: ``q[0]·…·q[n]``. One long chain of numpy goes
-    through a compiled loop; all others through doubling, products of 2, 4, 8, … neighbours.
+    With ``frame="world"`` they are ``q[n]·…·q[0]``, with ``frame="body"`` ``q[0]·…·q[n]``. A long numpy array
+    of single quaternions uses a compiled loop; all others use doubling: products of 2, 4, 8, … neighbours.
 
     Raises
     ------

@@ -1,9 +1,9 @@
 """Convert points and rotations between the axes of programs: ROS, Unity, Unreal, OpenGL, OpenCV, Blender.
 
-A convention says which signed axes point forward, left and up; those of Euler angles are in
+A convention says which signed axes point forward, left and up; conventions of Euler angles are in
 :mod:`rotation.euler`. A change S between conventions of opposite handedness is not a rotation, but
-``S·R·S⁻¹`` is one for a rotation R, and a rigid motion for a rigid motion. The axes are from the manuals of
-the programs.
+``S·R·S⁻¹`` is a rotation for every rotation R, and a rigid motion for every rigid motion. The axes are taken
+from the manuals of the programs.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ from rotation.namespaces import expect_last, expect_numpy, floats, points_of, qu
 from rotation.rigid import RigidTransform, expect_transforms
 from rotation.rotation import Rotation
 
-_STRAIGHT = 2.0**-40  # the sine of an angle that is none
+_STRAIGHT = 2.0**-40  # the sine of an invalid angle
 
 # The directions forward, left and up in the axes x, y, z.
 AXES = {
@@ -32,11 +32,11 @@ AXES = {
 
 
 def change_of_axes(source: str, target: str) -> Array:
-    """Return the matrix (3, 3) that takes coordinates of one convention to those of another.
+    """Return the matrix (3, 3) that converts coordinates of one convention to another.
 
-    Conventions: ``ros`` (x forward, y left, z up), ``unity`` and ``unreal`` (left-handed), ``opengl`` and
-    ``opencv`` cameras, ``blender``, ``ned`` (north, east, down, for a body that faces north); in letters of
-    either case.
+    Conventions are ``ros`` (x forward, y left, z up), ``unity`` and ``unreal`` (left-handed), ``opengl`` and
+    ``opencv`` cameras, ``blender``, and ``ned`` (north, east, down, for a body that faces north); upper and
+    lower case are equivalent.
 
     Raises
     ------
@@ -56,9 +56,9 @@ def change_of_axes(source: str, target: str) -> Array:
 
 @quiet
 def convert_points(points: ArrayLike, source: str, target: str) -> Array:
-    """Return points (…, 3) of one convention in another; see `change_of_axes`.
+    """Return points (…, 3) converted from one convention to another; see `change_of_axes`.
 
-    A row with NaN or inf in it gives NaN in that row alone.
+    A row that contains NaN or inf gives NaN in that row only.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def convert_points(points: ArrayLike, source: str, target: str) -> Array:
 
 
 def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:
-    """Return rotations of one convention in another; see `change_of_axes`.
+    """Return rotations converted from one convention to another; see `change_of_axes`.
 
     ``convert_points(r.apply(v)) == convert_rotation(r).apply(convert_points(v))``.
 
@@ -94,7 +94,7 @@ def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:
 
 
 def convert_transform(transform: RigidTransform, source: str, target: str) -> RigidTransform:
-    """Return rigid transforms of one convention in another; see `change_of_axes`.
+    """Return rigid transforms converted from one convention to another; see `change_of_axes`.
 
     ``convert_points(t.apply(v)) == convert_transform(t).apply(convert_points(v))``.
 
@@ -115,20 +115,21 @@ def convert_transform(transform: RigidTransform, source: str, target: str) -> Ri
 def look_at(
     eye: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), convention: str = "opengl"
 ) -> RigidTransform:
-    """Return the pose of a body at ``eye`` that faces ``target``, its up axis as near to ``up`` as possible.
+    """Return the pose of a body at ``eye`` that faces ``target``, with its up axis as close to ``up`` as
+    possible.
 
     Parameters
     ----------
     eye, target, up : array_like, shape (…, 3)
         In the axes of the world; the batch shapes broadcast.
     convention : str
-        Which of the body's own axes are forward, left and up: see `change_of_axes`. A camera of ``opengl``
-        looks along −z, one of ``opencv`` along z with y down, a body of ``ros`` along x.
+        Which of the body's axes are forward, left and up; see `change_of_axes`. An ``opengl`` camera looks
+        along −z, an ``opencv`` camera along z with y down, and a ``ros`` body along x.
 
     Returns
     -------
     RigidTransform
-        It takes the camera's own coordinates to those of the world; its inverse is the "view matrix".
+        It maps camera coordinates to world coordinates; its inverse is the "view matrix".
 
     Raises
     ------
@@ -164,7 +165,7 @@ def _directed(v: Array, subject: str, fault: str) -> Array:
 
 
 def _basis(name: str) -> Array:
-    """The rows are forward, left and up."""
+    """Return the matrix whose rows are forward, left and up."""
     axes = AXES.get(name.lower()) if isinstance(name, str) else None
     if axes is None:
         raise RotationError(f"convention {name!r}: one of {', '.join(AXES)} is expected")

@@ -1,7 +1,7 @@
 """Rotations, motions and curves as containers of arrays, for the transformations of JAX and torch.
 
-`jit`, `vmap`, `grad` and `scan` take pytrees apart into arrays and put them together again. A class is
-registered with a library that has been imported, when the next value is made: nothing is imported here.
+`jit`, `vmap`, `grad` and `scan` take pytrees apart into arrays and reassemble them. A class is registered
+with each library that has been imported, when the next value is made; nothing is imported here.
 """
 
 import sys

@@ -1,8 +1,7 @@
 """Unit quaternions as arrays of shape (…, 4), scalar first: the group that turns space.
 
-The product is the one formula of `hfield.core.product` with Hamilton's constants, on coordinate tuples;
-nothing here multiplies quaternions in its own way. Thesis, section 2.2.5; K. Shoemake, "Animating
-rotation with quaternion curves", SIGGRAPH 1985.
+Products use the formula of `hfield.core.product` with Hamilton's constants, on coordinate tuples. Thesis,
+section 2.2.5; K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.
 """
 
 from functools import reduce
@@ -25,9 +24,9 @@ HAMILTON: formula.Constants[float] = formula.Constants(
 
 
 def normalised(q: ArrayLike) -> Array:
-    """Return quaternions divided by their modulus, whatever its size from 1e-300 to 1e300.
+    """Return quaternions divided by their modulus, which may be anything from 1e-300 to 1e300.
 
-    A quaternion whose norm is 1 to within rounding is returned as it is. NaN or inf make that row NaN.
+    A quaternion whose norm is 1 up to rounding is returned unchanged. NaN or inf makes the whole row NaN.
 
     Parameters
     ----------
@@ -96,7 +95,7 @@ PRODUCT = RowFormula(_product, (4,), (4,))
 
 
 def multiplied(p: tuple[Operand, ...], q: tuple[Operand, ...]) -> Coordinates:
-    """Return the coordinates of ``p·q`` as the formula gives them, whatever the norms."""
+    """Return the coordinates of ``p·q`` by the product formula, for any norms."""
     (w1, x1, y1, z1), (w2, x2, y2, z2) = p, q
     return formula.multiply(HAMILTON, (w1, x1, y1, z1), (w2, x2, y2, z2))
 
@@ -108,7 +107,7 @@ def conjugated(q: Coordinates) -> Coordinates:
 
 
 def steadied(c: Coordinates) -> Coordinates:
-    """Return coordinates of norm ``1 + δ``, δ of the size of rounding errors, with δ removed."""
+    """Return coordinates of norm ``1 + δ`` with δ removed, where δ is of the size of rounding errors."""
     w, x, y, z = c
     norm = formula.norm(HAMILTON, (w, x, y, z))
     factor = (3.0 - norm) * 0.5
@@ -116,7 +115,7 @@ def steadied(c: Coordinates) -> Coordinates:
 
 
 def inverse(q: Array) -> Array:
-    """Return the conjugates of unit quaternions, which undo them (thesis, Definition 3 and 4)."""
+    """Return the conjugates of unit quaternions, which are their inverses (thesis, Definitions 3 and 4)."""
     return INVERSE(q)
 
 
@@ -128,7 +127,7 @@ INVERSE = RowFormula(_inverse, (4,))
 
 
 def canonical(q: Array) -> Array:
-    """Return of q and −q, which turn space alike, the one whose first nonzero coordinate is positive."""
+    """Return the one of q and −q, which are the same rotation, whose first nonzero coordinate is positive."""
     return _CANONICAL(q)
 
 
@@ -140,7 +139,7 @@ _CANONICAL = RowFormula(_canonical, (4,))
 
 
 def upright(xp: Namespace, c: Coordinates) -> Coordinates:
-    """Return the coordinates of q or −q, the first nonzero one positive."""
+    """Return the coordinates of q or −q with a positive first nonzero coordinate."""
     w, x, y, z = c
     sign = xp.where(w != 0.0, w, xp.where(x != 0.0, x, xp.where(y != 0.0, y, z)))
     return tuple(xp.where(sign < 0.0, -a, a) for a in c)
@@ -160,7 +159,7 @@ _SCALAR_LAST = RowFormula(_scalar_last, (4,))
 
 
 def angle(q: Array, degrees: bool = False) -> Array:
-    """Return the angle of rotation in [0, π], accurate for the smallest and the largest."""
+    """Return the angle of rotation in [0, π], accurate for very small and very large angles."""
     return _ANGLE[bool(degrees)](q)
 
 
@@ -184,7 +183,7 @@ def power(q: Array, exponent: Operand) -> Array:
     q : array, shape (…, 4)
         Unit quaternions; of q and −q the canonical one counts.
     exponent : array or float
-        Its shape broadcasts with that of the rotations.
+        Its shape must broadcast with the shape of the rotations.
 
     Raises
     ------
@@ -195,12 +194,12 @@ def power(q: Array, exponent: Operand) -> Array:
 
 
 def direct_power(q: Array, exponent: Operand) -> Array:
-    """Return the power of unit quaternions (…, 4) without change of sign; −q takes the long way."""
+    """Return the power of unit quaternions (…, 4) without sign change; −q takes the longer path."""
     return _raised(_POWER, exponent, q)
 
 
 def slerp(p: Array, q: Array, t: Operand) -> Array:
-    """Return ``p·(p⁻¹·q)ᵗ`` for unit quaternions (…, 4), and p itself where q is p or −p."""
+    """Return ``p·(p⁻¹·q)ᵗ`` for unit quaternions (…, 4); p if q is p or −p."""
     return _raised(SLERP, t, p, q)
 
 
@@ -229,7 +228,7 @@ def _powers(xp: Namespace, q: Coordinates, exponent: Array, shorter: bool) -> Co
     n = length(xp, tuple(u))
     half = xp.atan2(n, w) * exponent
     turning = n > 0.0
-    # Without an axis, at ±1, nothing turns; of the power near 1 the ratio is the exponent.
+    # At ±1 there is no axis and no rotation; near 1, the ratio for the power is the exponent.
     near = xp.where(xp.isfinite(exponent) & (w > 0.0), exponent, xp.zeros_like(half))
     sine, cosine = waves(xp, half, False)
     ratio = xp.where(turning, sine / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
@@ -264,9 +263,9 @@ SLERP = RowFormula(_slerp, (4,), (4,), ())
 
 @quiet
 def T_q(q: ArrayLike, points: ArrayLike) -> Array:
-    """Return ``q·v·q⁻¹`` for points v: Theorem 6 of the thesis to the letter, by the one product.
+    """Return ``q·v·q⁻¹`` for points v: Theorem 6 of the thesis, computed literally.
 
-    For speed use `rotation.rotate_quat`; this is the definition.
+    This is the definition; `rotation.rotate_quat` is faster.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The section of ``hfield report`` about rotations: the figures of chapter 2 and the benchmark of 3.2."""
+"""The section of ``hfield report`` on rotations: the figures of chapter 2 and the benchmark of 3.2."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from hfield.report.chapters import ChapterError
 from hfield.report.markup import table
 
 MAX_SECONDS = 300.0
-WIDE = 7.0  # inches, from where a figure takes the whole width
+WIDE = 7.0  # inches from which a figure takes the full width
 
 LETTERING = {  # of figures 2.4 and 2.5; the others have formulas alone
     "pl": {
@@ -92,7 +92,7 @@ _BENCHMARK: dict[str, BenchmarkWords] = {
 
 
 def figures(language: str) -> Chapter:
-    """Return the chapter of figures 2.1 to 2.5, drawn now, as pictures inside the page."""
+    """Return the chapter of figures 2.1 to 2.5, drawn at this moment, as pictures inside the page."""
     from rotation.figures import FIGURES
     from rotation.figures.saving import picture
 
@@ -112,10 +112,10 @@ def figures(language: str) -> Chapter:
 
 
 def benchmark(language: str) -> Chapter:
-    """Return the chapter of the benchmark, measured now in some fifteen seconds.
+    """Return the chapter of the benchmark, measured at this moment in about fifteen seconds.
 
-    It runs in a process of its own, where no library has yet started threads. Raises
-    :class:`~hfield.report.chapters.ChapterError` where that fails.
+    It runs in a subprocess, in which no library has started threads yet. Raises
+    :class:`~hfield.report.chapters.ChapterError` if that fails.
     """
     command = [sys.executable, "-m", "hfield", "bench", "--quick", "--format", "json"]
     try:
@@ -129,7 +129,7 @@ def benchmark(language: str) -> Chapter:
 
 
 def benchmark_html(data: dict[str, Any], language: str) -> str:
-    """Write the JSON of ``hfield bench`` as HTML tables, the fastest first."""
+    """Write the JSON of ``hfield bench`` as HTML tables, fastest first."""
     words = _BENCHMARK[language]
     said = words["said"]
     facts = {"points": f"{data['settings']['points']:,}".replace(",", "\u202f"), **data["machine"]}

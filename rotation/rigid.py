@@ -1,4 +1,4 @@
-"""`RigidTransform`: one rigid motion of space or a whole array of them, immutable."""
+"""`RigidTransform`: one rigid motion of space or an immutable array of them."""
 
 from collections.abc import Iterable
 from typing import Self
@@ -25,10 +25,10 @@ from rotation.rotation import Rotation
 
 @pytrees.register_pytree("_q", "_t", "_matrix")
 class RigidTransform(Forms):
-    """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
+    """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3) with the same batch shape.
 
-    Method names are those of scipy; conventions are those of `Rotation`: ``p * q`` applies q first, dual
-    quaternions have the scalar first. Rows with NaN or inf are NaN, and no other row is.
+    Method names are those of scipy; conventions are those of `Rotation`: ``p * q`` applies q first, and dual
+    quaternions are scalar first. Rows that contain NaN or inf become NaN; other rows are not affected.
 
     Parameters
     ----------
@@ -55,7 +55,9 @@ class RigidTransform(Forms):
     # The group
 
     def __mul__(self, other: object) -> Self:
-        """Return the products, which apply the other first; a Rotation is a motion that does not shift."""
+        """Return the products, which apply ``other`` first; a Rotation counts as a motion without
+        translation.
+        """
         if isinstance(other, Rotation):
             other = self.from_rotation(other)
         if not isinstance(other, RigidTransform):
@@ -94,7 +96,7 @@ class RigidTransform(Forms):
     def apply(self, points: ArrayLike, inverse: bool = False) -> Array:
         """Apply the motion, or its inverse, to points (…, 3): ``R·v + t``; the batch shapes broadcast.
 
-        float32 and float64 are kept, integers become float64. All is computed in double.
+        float32 and float64 are kept, integers become float64. All computations are in double precision.
 
         Raises
         ------
@@ -122,7 +124,9 @@ class RigidTransform(Forms):
 
     @quiet
     def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Array:
-        """Return where the angle (radians) and the distance from one to the other are at most ``atol``."""
+        """Return whether angle (in radians) and distance between the motions are at most ``atol``,
+        elementwise.
+        """
         expect_transforms(other=other)
         between = self.inv() * other
         near = length(namespace(between._t), split(between._t)) <= atol
@@ -132,14 +136,14 @@ class RigidTransform(Forms):
 
     @classmethod
     def concatenate(cls, transforms: "RigidTransform | Iterable[RigidTransform]") -> Self:
-        """Join transforms along their first axis; a single one counts as a batch of one.
+        """Join transforms along their first axis; a single transform counts as a batch of one.
 
         Raises
         ------
         RotationError
-            There are none, or their other axes differ.
+            There are no arrays, or their other axes differ.
         DTypeError
-            Something among them is no RigidTransform.
+            One of them is not a RigidTransform.
         """
         if not isinstance(transforms, RigidTransform | Iterable):
             raise DTypeError(f"concatenate takes transforms, not {hints.described(transforms)}")
@@ -167,7 +171,7 @@ class RigidTransform(Forms):
     def align(
         cls, source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
     ) -> tuple[Self, Array]:
-        """Return the motion that maps points closest to others, and the distance; see `align_points`."""
+        """Return the motion that brings points closest to others, and the residual; see `align_points`."""
         turn, shift, rssd = align_points(source, target, weights)
         return cls._of(turn._q, shift), rssd
 
@@ -197,17 +201,17 @@ class RigidTransform(Forms):
 
 
 def expect_transforms(**named: object) -> None:
-    """Raise `DTypeError` unless all values are rigid transforms, and not their matrices."""
+    """Raise `DTypeError` unless all values are rigid transforms, rather than matrices."""
     for name, value in named.items():
         if not isinstance(value, RigidTransform):
             raise DTypeError(hints.refusal(value, name, "RigidTransform"))
 
 
 def sclerp(p: RigidTransform, q: RigidTransform, t: ArrayLike) -> RigidTransform:
-    """Return the motion at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1), along one screw.
+    """Return the motion at ``t`` on the path from ``p`` (t = 0) to ``q`` (t = 1) along one screw.
 
-    At constant rate: ``p·(p⁻¹·q)ᵗ``, the shorter way round. The shapes of p, q and t broadcast. L. Kavan et
-    al., "Dual quaternions for rigid transformation blending" (2006), screw linear interpolation.
+    It is ``p·(p⁻¹·q)ᵗ``, with constant velocity, on the shorter path. The shapes of p, q and t broadcast. L.
+    Kavan et al., "Dual quaternions for rigid transformation blending" (2006), screw linear interpolation.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Rigid motions from their forms and back: matrices, components, twists, dual quaternions, screws."""
+"""Convert rigid motions to and from matrices, components, twists, dual quaternions and screws."""
 
 from collections.abc import Sequence
 from typing import Self
@@ -23,7 +23,7 @@ _COMPUTED_ONCE = np.empty(0)  # marks matrices that were computed once
 
 
 class Forms(ImmutableArray):
-    """Unit quaternions (…, 4) and translations (…, 3), and matrices that were computed twice."""
+    """Unit quaternions (…, 4) and translations (…, 3), with a cache of matrices that were computed twice."""
 
     __slots__ = ("_matrix", "_t")
 
@@ -52,7 +52,7 @@ class Forms(ImmutableArray):
 
     @classmethod
     def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
-        """Return the motion that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
+        """Return the identity motion, or a batch of it: ``shape`` is a number or a tuple."""
         batch = sampling.as_shape(shape)
         return cls._of(Rotation.identity(batch)._q, np.zeros((*batch, 3)))
 
@@ -63,7 +63,8 @@ class Forms(ImmutableArray):
         Raises
         ------
         RotationError
-            Another last row, or the upper left 3 × 3 block is not a rotation; see `Rotation.from_matrix`.
+            The last row is different, or the upper left 3 × 3 block is not a rotation; see
+            `Rotation.from_matrix`.
         """
         m = floats(matrix, "matrices")
         motions.expect_affine(m)
@@ -72,14 +73,14 @@ class Forms(ImmutableArray):
 
     @classmethod
     def from_rotation(cls, rotation: Rotation) -> Self:
-        """Make transforms that turn and do not shift."""
+        """Make transforms that rotate without translating."""
         expect_rotations(rotation=rotation)
         q = rotation._double
         return cls._of(q, 0.0 * q[..., 1:])
 
     @classmethod
     def from_translation(cls, translation: ArrayLike) -> Self:
-        """Make transforms that shift by ``translation`` (…, 3) and do not turn."""
+        """Make transforms that translate by ``translation`` (…, 3) without rotating."""
         t = _copied(translation, "translations")
         xp = namespace(t)
         one, zero = xp.ones_like(t[..., :1]), xp.zeros_like(t)
@@ -102,7 +103,7 @@ class Forms(ImmutableArray):
 
     @classmethod
     def from_dual_quat(cls, dual_quat: ArrayLike, *, scalar_first: bool = True) -> Self:
-        """Make transforms from dual quaternions (…, 8): ``q``, then ``½·t·q``; they are made unit.
+        """Make transforms from dual quaternions (…, 8): ``q``, then ``½·t·q``; they are normalised.
 
         Raises
         ------
@@ -126,7 +127,7 @@ class Forms(ImmutableArray):
         displacement: ArrayLike,
         degrees: bool = False,
     ) -> Self:
-        """Make the motions along screws: a turn about a line and a shift along it.
+        """Make the motions along screws: a rotation about a line and a translation along it.
 
         Parameters
         ----------
@@ -173,7 +174,7 @@ class Forms(ImmutableArray):
         return m
 
     def as_exp_coords(self) -> Array:
-        """Return the exponential coordinates, shape (…, 6), of angles in [0, π]."""
+        """Return the exponential coordinates, shape (…, 6), with angles in [0, π]."""
         v = vectors.to_rotvec(self._q)
         return namespace(v).concat([v, motions.INVERSE_JACOBIAN_TIMES(v, self._t)], axis=-1)
 
@@ -189,8 +190,8 @@ class Forms(ImmutableArray):
     def adjoint(self) -> Array:
         """Return the matrices (…, 6, 6) with ``p·exp(x)·p⁻¹ = exp(Ad·x)``.
 
-        As in exponential coordinates the rotation comes first: ``[[R, 0], [[t]×·R, R]]``. Times a twist in
-        the axes of the body it is that in those of the world.
+        As in exponential coordinates, the rotation comes first: ``[[R, 0], [[t]×·R, R]]``. The matrix
+        converts a twist from body axes to world axes.
         """
         return motions.ADJOINT(self._q, self._t)
 
@@ -205,7 +206,7 @@ class Forms(ImmutableArray):
         )
 
     def as_screw(self, degrees: bool = False) -> motions.Screw:
-        """Return the screws of the motions: every rigid motion is along one (Chasles)."""
+        """Return the screws of the motions; every rigid motion is a motion along a screw (Chasles)."""
         return motions.to_screw(self._q, self._t, degrees)
 
 

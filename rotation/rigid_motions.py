@@ -1,7 +1,7 @@
 """Rigid motions as arrays of quaternions (…, 4) and translations (…, 3): ``v ↦ R·v + t``.
 
-Other forms are dual quaternions ``q + ½·t·q·ε``, exponential coordinates (twists), homogeneous matrices, and
-screws, because every rigid motion is a rotation about a line and a translation along it.
+Other representations are dual quaternions ``q + ½·t·q·ε``, exponential coordinates (twists), homogeneous
+matrices, and screws, because every rigid motion is a rotation about a line and a translation along it.
 
 M. Chasles, Bull. Sci. Math. Férussac 14 (1830); R. S. Ball, "A treatise on the theory of screws" (1900);
 R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic manipulation" (1994), chapter 2.
@@ -34,7 +34,7 @@ def _moved_back(q: Array, t: Array, points: Array) -> Array:
 
 
 def _composed(q: Array, t: Array, p: Array, s: Array) -> Array:
-    """The motion by (p, s) first, then by (q, t): seven numbers a row."""
+    """Return the motion (p, s) followed by (q, t), as seven numbers per row."""
     image = turned_by(split(q), split(s), False)
     turn = steadied(multiplied(split(q), split(p)))
     return join(namespace(q), (*turn, *(a + b for a, b in zip(image, split(t), strict=True))))
@@ -81,7 +81,7 @@ def jacobian_times(xp: Namespace, v: Coordinates, u: Coordinates) -> Coordinates
 
 
 def _inverse_jacobian_times(rotvec: Array, translation: Array) -> Array:
-    """``J⁻¹(v)·t``."""
+    """Return ``J⁻¹(v)·t``."""
     xp = namespace(rotvec)
     v, t = split(rotvec), split(translation)
     axis, c = logarithm_factor(xp, v)
@@ -108,7 +108,7 @@ DUAL = RowFormula(_dual, (4,), (3,))
 
 
 def from_dual(dual: Array) -> Array:
-    """Return the motions (…, 7) of dual quaternions (…, 8), made unit: their dual norm to 1.
+    """Return the motions (…, 7) of dual quaternions (…, 8), which are normalised to dual norm 1.
 
     Raises
     ------
@@ -194,10 +194,10 @@ def from_screw(
 
 @quiet
 def to_screw(q: Array, t: Array, degrees: bool = False) -> Screw:
-    """Return the screws of motions (q, t), of angles in [0, π].
+    """Return the screws of motions (q, t), with angles in [0, π].
 
-    The point is the one of the line nearest to the origin. Where nothing turns the axis is the direction
-    of the shift and the line goes through the origin; the identity has the axis z.
+    The point is the one on the line nearest to the origin. If the rotation is the identity, the axis is the
+    direction of the translation and the line passes through the origin; the identity motion has the axis z.
     """
     xp = namespace(q)
     axis, angle = to_axis_angle(q)

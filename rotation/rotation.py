@@ -1,4 +1,4 @@
-"""`Rotation`: one rotation of space or a whole array of them, immutable, on any array library."""
+"""`Rotation`: one rotation of space or an immutable array of them, on any array library."""
 
 from collections.abc import Sequence
 from importlib import import_module
@@ -37,11 +37,11 @@ if TYPE_CHECKING:
 class Rotation(Conversions):
     """Rotations of space, stored as unit quaternions, scalar first (thesis, section 2.2.5).
 
-    A single rotation has the shape ``()``; batches have any number of axes. Method names are those of
-    scipy, conventions are those of the thesis: quaternions are (w, x, y, z), angles radians,
-    ``p * q`` applies q first. Numpy rotations are stored in float64, or in float32 where ``dtype`` says so;
-    arrays of other libraries keep their library, device and precision. Rows with NaN or inf are NaN, and no
-    other row is.
+    A single rotation has the shape ``()``; batches have any number of axes. Method names are those of scipy,
+    conventions are those of the thesis: quaternions are (w, x, y, z), angles are in radians, and ``p * q``
+    applies q first. Numpy rotations are stored in float64, or in float32 if ``dtype`` says so; arrays of
+    other libraries keep their library, device and precision. Rows that contain NaN or inf become NaN; other
+    rows are not affected.
 
     Parameters
     ----------
@@ -76,9 +76,9 @@ class Rotation(Conversions):
         dtype: npt.DTypeLike | None = None,
         **others: object,
     ) -> Self:
-        """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple.
+        """Return the identity rotation, or a batch of it: ``shape`` is a number or a tuple.
 
-        ``dtype`` as in `from_quat`; others are refused as in `random`.
+        ``dtype`` as in `from_quat`; other arguments are rejected as in `random`.
         """
         hints.refuse_arguments("identity", others)
         q = np.zeros((*sampling.as_shape(shape), 4), dtype and precision(dtype))
@@ -111,15 +111,15 @@ class Rotation(Conversions):
         dtype: npt.DTypeLike | None = None,
         **others: object,
     ) -> Self:
-        """Return rotations distributed uniformly (by Haar measure).
+        """Return uniformly distributed rotations (Haar measure).
 
         Parameters
         ----------
         shape : int or tuple of int, optional
             How many; by default a single one.
         rng, seed : int or numpy.random.Generator, optional
-            Either name, not both: whatever `numpy.random.default_rng` takes. The same seed gives
-            the same rotations.
+            One of the two names: an argument of `numpy.random.default_rng`. The same seed gives the same
+            rotations.
         dtype
             As in `from_quat`.
 
@@ -128,7 +128,7 @@ class Rotation(Conversions):
         RotationError
             No shape, no seed, or two.
         ArgumentError
-            Other names, such as scipy's ``random_state``: the message says what to write.
+            Unknown arguments, such as scipy's ``random_state``; the message gives the correct call.
         """
         hints.refuse_arguments("random", others)
         q = sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed))
@@ -136,15 +136,15 @@ class Rotation(Conversions):
 
     @classmethod
     def super_fibonacci(cls, n: int) -> Self:
-        """Return n rotations that fill the group evenly, always the same, shape (n,).
+        """Return n evenly distributed rotations, always the same ones, shape (n,).
 
-        A spiral on the sphere of quaternions: as even as the best grids, for any n, at no cost (M. Alexa,
-        "Super-Fibonacci spirals", CVPR 2022).
+        They lie on a spiral on the sphere of quaternions, and are as even as the best grids, for any n, at
+        negligible cost (M. Alexa, "Super-Fibonacci spirals", CVPR 2022).
 
         Raises
         ------
         RotationError
-            ``n`` is no whole number, or negative.
+            ``n`` is not an integer, or is negative.
 
         Examples
         --------
@@ -214,7 +214,7 @@ class Rotation(Conversions):
         weights: ArrayLike | None = None,
         return_sensitivity: bool = False,
     ) -> tuple[Self, Array] | tuple[Self, Array, Array]:
-        """Return the rotation that takes vectors ``b`` closest to vectors ``a``, and how close.
+        """Return the rotation that brings vectors ``b`` closest to vectors ``a``, and the residual.
 
         Minimises ``Σ w‖a − R·b‖²`` (Wahba's problem); see `rotation.align`.
 
@@ -232,8 +232,8 @@ class Rotation(Conversions):
         rssd : array (…)
             The square root of that sum at its least, without the pair of infinite weight.
         sensitivity : array (…, 3, 3)
-            Only if asked for: times the variance of the vectors' errors the covariance of the error of R,
-            a rotation vector in the axes of a.
+            Only if requested. Multiplied by the variance of the vectors' errors, it is the covariance of the
+            error of R, a rotation vector in the axes of a.
 
         Raises
         ------
@@ -261,7 +261,7 @@ class Rotation(Conversions):
     def __pow__(self, exponent: ArrayLike) -> Self:
         if not isinstance(exponent, int | float):
             exponent = floats(exponent, "exponent", namespace(self._q, exponent))
-        elif abs(exponent) == 1:  # nothing is rounded; the sign is that of all other powers
+        elif abs(exponent) == 1:  # no rounding; the sign is the same as for all other powers
             q = quaternions.canonical(self._q)
             return self._of(quaternions.inverse(q) if exponent < 0 else q)
         made = SHORTER_POWER.function(type(self), self._q, exponent)
@@ -275,7 +275,7 @@ class Rotation(Conversions):
     inv = inverse  # as scipy calls it
 
     def outer(self, other: "Rotation") -> Self:
-        """Return all products: the shape is ``self.shape + other.shape``.
+        """Return all products, with shape ``self.shape + other.shape``.
 
         ``p.outer(q)[i, j]`` is ``p[i] * q[j]``, which applies ``q[j]`` first.
         """
@@ -295,7 +295,7 @@ class Rotation(Conversions):
         return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
 
     def __ne__(self, other: object) -> Array:  # type: ignore[override]
-        """Compare entry by entry: the opposite of ``==``."""
+        """Compare entry by entry: the negation of ``==``."""
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else namespace(equal).logical_not(equal)
 
@@ -305,7 +305,7 @@ class Rotation(Conversions):
         return hash(tuple(float(c) for c in quaternions.canonical(self._q)))
 
     def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Array:
-        """Return where the angle from one rotation to the other is at most ``atol``.
+        """Return whether the angle between the rotations is at most ``atol``, elementwise.
 
         ``atol`` is in radians, or in degrees with ``degrees=True``.
         """
@@ -315,7 +315,7 @@ class Rotation(Conversions):
     # Many of them
 
     def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
-        """Return the mean rotation, the one with the least sum of squared chordal distances.
+        """Return the mean rotation, which minimises the sum of squared chordal distances.
 
         Parameters
         ----------
@@ -335,12 +335,12 @@ class Rotation(Conversions):
         return self._alike(mean(self._double, weights, axis))
 
     def median(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
-        """Return the geodesic median, the rotation with the least sum of angles to these.
+        """Return the geodesic median, which minimises the sum of angles to the rotations.
 
-        A few wrong rotations among many do not move it far, as they move the mean. Where it is one of these
-        it is that exactly. The minimum is the global one, to 1e-7 of the heaviest weight: where one of the
-        rotations lies a quarter turn or more from the median, branch and bound compares it with all others.
-        That takes milliseconds for ten rotations spread evenly, and seconds for a thousand.
+        A few outliers among many rotations do not move the median far, unlike the mean. If the median is one
+        of the given rotations, it is returned exactly. The minimum is global, to 1e-7 of the largest weight:
+        if one of the rotations lies a quarter turn or more from the median, branch and bound compares it with
+        all others. That takes milliseconds for ten evenly spread rotations, and seconds for a thousand.
 
         Parameters
         ----------
@@ -366,13 +366,13 @@ class Rotation(Conversions):
         return self._alike(median(self._double, weights, axis))
 
     def cumprod(self, frame: str = "world") -> Self:
-        """Return the running products along the first axis, each of norm 1 to rounding.
+        """Return the running products along the first axis, each of norm 1 up to rounding.
 
         Parameters
         ----------
         frame : "world" or "body"
-            In ``"world"`` every next rotation turns about fixed axes, ``r[n]·…·r[0]``; in
-            ``"body"`` about the axes already turned, ``r[0]·…·r[n]``.
+            With ``"world"`` each rotation is about fixed axes, ``r[n]·…·r[0]``; with ``"body"`` about the
+            already rotated axes, ``r[0]·…·r[n]``.
         """
         from rotation.products import running_products
 
@@ -406,7 +406,7 @@ class Rotation(Conversions):
         right: Batch | None = None,
         return_indices: bool = False,
     ) -> Self | tuple[Self, Array, Array]:
-        """Return of all ``l·p·r`` the one of the smallest angle, for each of the rotations p.
+        """Return, for each rotation p, the product of least angle among all ``l·p·r``.
 
         Parameters
         ----------
@@ -418,7 +418,7 @@ class Rotation(Conversions):
         Raises
         ------
         RotationError
-            Left or right is no list of rotations.
+            ``left`` or ``right`` is not a list of rotations.
         ForeignArrayError
             Arrays that are not numpy's.
         """
@@ -440,20 +440,21 @@ class Rotation(Conversions):
         group: "str | Rotation",
         other_group: "str | Rotation | None" = None,
     ) -> Self:
-        """Return the smallest rotation from one crystal to another, among all equivalent by symmetry.
+        """Return the least rotation from one crystal to another, among all those equivalent by symmetry.
 
-        Rotations turn the axes of a crystal to those of the world, and ``p·g`` is as good as p for g in its
-        group: returned is of all ``l·p⁻¹·q·r`` the one of the least angle, l in ``group``, r in
-        ``other_group``. Of those with the same angle it is the one whose quaternion (w ≥ 0) has the largest
-        x, then the largest y, then the largest z; numbers within 2⁻⁴⁰ count as the same. Equivalent
-        crystals thus get equal answers.
+        Rotations map crystal axes to world axes, and ``p·g`` is equivalent to p for g in its group. The
+        result is the product of least angle among all ``l·p⁻¹·q·r`` with l in ``group`` and r in
+        ``other_group``. Among those with the same angle, the quaternion (w ≥ 0) with the largest x is chosen,
+        then the largest y, then the largest z; numbers within 2⁻⁴⁰ count as equal. So equivalent crystals
+        have the same result.
 
         Parameters
         ----------
         other : Rotation
             The shapes broadcast.
         group, other_group : str or Rotation
-            As in `create_group`, or its result, for other axes; the second is the first unless given.
+            As in `create_group`, or the result of `create_group` for other axes; ``other_group`` defaults to
+            ``group``.
 
         Raises
         ------
@@ -491,10 +492,11 @@ class Rotation(Conversions):
         Parameters
         ----------
         ax : mpl_toolkits.mplot3d.axes3d.Axes3D, optional
-            Where to draw, with the first two colours of its cycle; its settings are not changed. By default
-            a new figure of pyplot with a title, whose settings do not depend on the matplotlibrc.
+            The axes to draw in, with the first two colours of their cycle; their settings are not changed. By
+            default a new pyplot figure with a title, independent of the matplotlibrc.
         points : array_like, shape (n, 3), optional
-            In any unit of length; by default the three unit vectors. Paths are drawn for up to 24 points.
+            Points in any unit of length, by default the three unit vectors. Paths are drawn for up to 24
+            points.
 
         Returns
         -------
@@ -506,7 +508,7 @@ class Rotation(Conversions):
         RotationError
             An array of rotations, a rotation or points that are not finite, points of another shape.
         DTypeError
-            ``ax`` is no three-dimensional axes, or ``points`` no array of points.
+            ``ax`` is not three-dimensional axes, or ``points`` is not an array of points.
         ForeignArrayError
             The rotation is not stored in a numpy array.
 
@@ -530,8 +532,8 @@ class Rotation(Conversions):
         Parameters
         ----------
         points : array_like, shape (…, 3)
-            Batch shapes broadcast: one rotation turns many points, many turn one, or pairwise.
-            float32 and float64 are kept, integers become float64; any strides.
+            Batch shapes broadcast: one rotation with many points, many with one, or pairwise. float32 and
+            float64 are kept, integers become float64; strides are arbitrary.
         inverse : bool
             Apply the inverse rotations.
         out : array, optional
@@ -589,7 +591,7 @@ class Rotation(Conversions):
         return xp.astype(turned, v.dtype)
 
     def apply_outer(self, points: ArrayLike) -> Array:
-        """Rotate every point by every rotation: the shape is ``self.shape + points.shape``."""
+        """Rotate every point by every rotation; the result has shape ``self.shape + points.shape``."""
         v = points_of(points, namespace(self._q, points))
         q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
         return self._of(q).apply(v)

@@ -1,8 +1,8 @@
-"""Run formulas on the rows of arrays, as machine code where possible, else in the array library.
+"""Run formulas on the rows of arrays, as machine code if possible, else in the array library.
 
-A formula of a hundred operations on numpy arrays is a hundred calls, and on long ones a hundred passes over
-memory. `RowFormula` compiles it on its first use, in some hundredths of a second, into one loop
-over rows: for one rotation and for a million. Arrays of other libraries take the formula as it stands.
+A formula of a hundred operations on numpy arrays needs a hundred calls, and on long arrays a hundred passes
+over memory. `RowFormula` compiles it on first use, in some hundredths of a second, to one loop over rows, for
+one rotation or a million. For arrays of other libraries the formula is called directly.
 
 Numbers in single precision are converted to double, and the result is rounded once. It is in single precision
 if all arrays are. Each combination of precisions has its own loop.
@@ -26,7 +26,7 @@ from rotation.thread_count import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
 _WORTH = 750_000  # nanoseconds of work that pay for a thread
-_ROW, _STEP = 1.0, 0.016  # nanoseconds of a row, and of each step for it, to within a half
+_ROW, _STEP = 1.0, 0.016  # nanoseconds for a row, and for each of its steps, to within a half
 _FLOAT32, FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
 _WORDS = {_FLOAT32: "float", FLOAT64: "double"}
 
@@ -34,13 +34,13 @@ Kinds = tuple[np.dtype[np.floating], ...]
 
 
 def compile_all() -> None:
-    """Compile every formula that has been made."""
+    """Compile every existing formula."""
     for formula in _made:
         formula._compiled()
 
 
 class RowFormula:
-    """A function of rows of numbers, ``formula(*arrays, *parameters)``, each of its rows on its own.
+    """A function of rows of numbers, ``formula(*arrays, *parameters)``, which treats each row separately.
 
     Parameters
     ----------
@@ -53,7 +53,8 @@ class RowFormula:
     single : tuple of int
         Which of the arrays always have one row: it is read once for all rows of the others.
     kinds : tuple of dtypes, optional
-        In which the arrays are stored; by default all in double. For others it makes others itself.
+        The types in which the arrays are stored, by default all double; for other types the formula creates
+        further instances.
 
     Attributes
     ----------
@@ -86,10 +87,10 @@ class RowFormula:
     ) -> None:
         self._single = single
         self._kinds = kinds or (FLOAT64,) * len(shapes)
-        self._kind = max(self._kinds, key=_size)  # that of the result
+        self._kind = max(self._kinds, key=_size)  # the kind of the result
         self._others: dict[Kinds, RowFormula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
-        self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
+        self._axes = tuple(-len(shape) or None for shape in shapes)  # the first axes of a row
         self.function: builtins.BuiltinFunction = unmade
         self._row: tuple[int, ...] = ()
         _made.append(self)
@@ -100,7 +101,7 @@ class RowFormula:
         return self._with_flag(arrays)[0] if made is None else made
 
     def with_flag(self, *arrays: Array) -> tuple[Array, bool]:
-        """Return the values, and whether the formula may have flagged a row (by `flag_if`)."""
+        """Return the values, and whether the formula may have flagged a row (with `flag_if`)."""
         made = self.function(None, *arrays)
         return self._with_flag(arrays) if made is None else (made, False)
 
@@ -127,7 +128,7 @@ class RowFormula:
         return out if out.ndim else out[()], flag
 
     def _compiled(self) -> builtins.BuiltinFunction:
-        """Return the machine code, or `unmade` where there can be none."""
+        """Return the machine code, or `unmade` if it cannot be made."""
         if not builtins.available():
             return unmade
         with machine_code.lock:
@@ -145,7 +146,7 @@ class RowFormula:
         return self.function
 
     def _straightened(self, arrays: tuple[Array, ...], batch: tuple[int, ...]) -> list[Array]:
-        """Return the arrays in one piece each, of the batch shape, or of one row and no batch."""
+        """Return contiguous arrays, each with the batch shape, or with one row and no batch."""
         straight = []
         for a, shape in zip(arrays, self._shapes, strict=True):
             own = a.shape[: a.ndim - len(shape)]
@@ -156,7 +157,7 @@ class RowFormula:
         return straight
 
     def _shared(self, function: builtins.BuiltinFunction, arrays: list[Array], out: Array) -> bool:
-        """Compute in blocks, shared by all threads."""
+        """Compute in blocks that all threads share."""
         rows = out.size // prod(self._row)
         flat = [
             a if a.ndim == len(shape) else a.reshape(rows, *shape)
@@ -185,7 +186,7 @@ class RowFormula:
         return tensors.like(arrays[0], values), flag
 
     def _of(self, kinds: Kinds) -> "RowFormula":
-        """Return the same formula for arrays stored in these kinds of floats."""
+        """Return the same formula for arrays stored in these float types."""
         if kinds == self._kinds:
             return self
         if kinds not in self._others:
@@ -200,7 +201,9 @@ class RowFormula:
 
     @quiet
     def _plainly(self, arrays: tuple[Array, ...]) -> Array:
-        """Compute by the arrays' own library; long numpy arrays piece by piece, always in double."""
+        """Compute with the arrays' own library; long numpy arrays piece by piece, always in double
+        precision.
+        """
         if _FLOAT32 in self._kinds:
             doubles = self._of((FLOAT64,) * len(arrays))
             return doubles._plainly(tuple(a.astype(FLOAT64) for a in arrays)).astype(self._kind)
@@ -248,7 +251,9 @@ def rarely(
     compute: Callable[[], tuple[Array, ...]],
     usual: tuple[Array, ...],
 ) -> tuple[Array, ...]:
-    """Return ``compute()``, which is needed only where ``condition`` holds, or ``usual`` if nowhere."""
+    """Return ``compute()``, which is needed only where ``condition`` holds, or ``usual`` if it
+    holds nowhere.
+    """
     if xp is NUMPY:
         return compute() if condition.any() else usual
     branch = getattr(xp, "rarely", None)

@@ -1,4 +1,4 @@
-"""Samples of rotations: random ones, uniform by Haar measure, or evenly spaced ones on a spiral."""
+"""Samples of rotations: uniformly random by Haar measure, or evenly spaced on a spiral."""
 
 import operator
 from collections.abc import Sequence
@@ -31,7 +31,7 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
 
 
 def generator(rng: Seed | None, seed: Seed | None) -> "np.random.Generator":
-    """Return the random generator that one of two arguments gives. Raises RotationError for other values."""
+    """Return the random generator given by one of two arguments. Raises RotationError for other values."""
     if rng is not None and seed is not None:
         raise RotationError("rng and seed are two names of the same argument; give only one")
     given = seed if rng is None else rng
@@ -46,8 +46,9 @@ def generator(rng: Seed | None, seed: Seed | None) -> "np.random.Generator":
 def super_fibonacci(n: int) -> Array:
     """Return n unit quaternions (n, 4) on a spiral that fills the sphere evenly.
 
-    M. Alexa, "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", CVPR 2022: two angles grow
-    by turns through √2 and ψ, the positive root of ψ⁴ = ψ + 4, while the radii share the volume.
+    M. Alexa, "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", CVPR 2022. Two angles grow
+    by turns divided by √2 and by ψ, the positive root of ψ⁴ = ψ + 4, while the radii divide the volume
+    evenly.
     """
     try:
         number = operator.index(n)
@@ -65,7 +66,7 @@ def super_fibonacci(n: int) -> Array:
 
 
 def uniform(shape: tuple[int, ...], rng: "np.random.Generator") -> Array:
-    """Return unit quaternions (…, 4) uniform on the sphere: normal coordinates, normalised."""
+    """Return uniformly distributed unit quaternions (…, 4): normal coordinates, normalised."""
     q = rng.standard_normal((*shape, 4))
     q /= np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
     return q

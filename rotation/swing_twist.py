@@ -10,7 +10,7 @@ from rotation.rotation import Rotation
 
 @quiet
 def swing_twist(rotation: Rotation, axis: ArrayLike) -> tuple[Rotation, Rotation]:
-    """Return swing and twist: ``rotation == swing * twist``, the twist about ``axis``, the swing across.
+    """Return swing and twist: ``rotation == swing * twist``, twist about ``axis``, swing perpendicular to it.
 
     Parameters
     ----------
@@ -21,9 +21,9 @@ def swing_twist(rotation: Rotation, axis: ArrayLike) -> tuple[Rotation, Rotation
     Returns
     -------
     swing, twist : Rotation
-        Of all turns about the axis the twist is nearest to the rotation. Half turns about axes across have
-        many such; taken is none at all. P. Dobrowolski, "Swing-twist decomposition in Clifford algebra",
-        2015.
+        The twist is the rotation about the axis that is nearest to the given rotation. For a half turn about
+        a perpendicular axis all are equally near; then the twist is the identity. P. Dobrowolski,
+        "Swing-twist decomposition in Clifford algebra", 2015.
 
     Raises
     ------

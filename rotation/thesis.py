@@ -2,14 +2,14 @@
 
 They are the historical baseline of the benchmark and of the animation. So names, arguments and the order of
 operations are those of the text: a quaternion is passed as its scalar part and a list of three, and there are
-no loops, conditions or checks. Errors of the text are corrected in the function, and its docstring quotes the
-text.
+no loops, conditions or checks. Errors of the text are corrected in the functions, and their docstrings quote
+the text.
 
-Apart from ``cos``, ``sin`` and ``sqrt`` they only add, subtract, multiply and divide, so the same
-code runs on symbols; that is how the ledger proves them.
+Apart from ``cos``, ``sin`` and ``sqrt`` they only add, subtract, multiply and divide, so the same code runs
+on symbols; this is how the ledger proves them.
 
-The matrix functions multiply by ``matmul``: numpy's in the thesis, here one on lists. Whoever wants
-the thesis's timings passes ``matmul=numpy.matmul``.
+The matrix functions multiply by ``matmul``: numpy's in the thesis, here one for lists. To measure the
+thesis's timings, pass ``matmul=numpy.matmul``.
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ def addingVectorPart(v1: Vector, v2: Vector) -> Vector:
 def multiQuaternion(a1: Scalar, v1: Vector, a2: Scalar, v2: Vector) -> list[Any]:
     """Return the product of the quaternions ``a1 + v1`` and ``a2 + v2`` as ``[scalar, vector]`` (3.1.1).
 
-    The text has the scalar part ``a1 - a2 - dotProduct(v1, v2)``; it is ``a1 * a2`` that belongs there.
+    The text prints the scalar part ``a1 - a2 - dotProduct(v1, v2)`` instead of ``a1 * a2 - dotProduct(v1,
+    v2)``.
     """
     return [
         a1 * a2 - dotProduct(v1, v2),
@@ -67,11 +68,11 @@ def conjugateQuaternion(a: Scalar, v: Vector) -> list[Any]:
 
 
 def rotationquaternion(angle: Scalar, rotation_axis: Vector, element: Vector) -> Vector:
-    """Return ``element`` turned about ``rotation_axis``, of length 1, by ``angle`` in radians (3.1.1).
+    """Return ``element`` rotated about ``rotation_axis``, of length 1, by ``angle`` in radians (3.1.1).
 
-    The trigonometric form with θ turns by 2θ (Theorem 6), so θ is half of ``angle``, which the text
-    does not say. Its "inverse by ``conjugateQuaternion``" holds because the axis has length 1: with
-    another length the result is neither a rotation by ``angle`` nor of the same length.
+    The trigonometric form with θ rotates by 2θ (Theorem 6), so θ is half of ``angle``; the text does not say
+    this. Its "inverse by ``conjugateQuaternion``" is correct because the axis has length 1: with another
+    length the result is neither a rotation by ``angle`` nor of the same length.
     """
     return rotationquaternionChaged(
         cos(0.5 * angle), scalarVector(sin(0.5 * angle), rotation_axis), element
@@ -79,8 +80,7 @@ def rotationquaternion(angle: Scalar, rotation_axis: Vector, element: Vector) ->
 
 
 def rotationquaternionNormalized(angle: Scalar, rotation_axis: Vector, element: Vector) -> Vector:
-    """Return the same for an axis of any nonzero length: the function that the text leaves unnamed
-    (3.1.1).
+    """Return the same for an axis of any nonzero length (3.1.1); the text does not name this function.
 
     Raises ZeroDivisionError for the axis 0.
     """
@@ -94,9 +94,9 @@ def NormalizeVector(v: Vector) -> Vector:
 
 
 def rotationquaternionChaged(scalar: Scalar, rotation_axis: Vector, element: Vector) -> Vector:
-    """Return ``element`` turned by the unit quaternion ``scalar + rotation_axis`` (3.4.2).
+    """Return ``element`` rotated by the unit quaternion ``scalar + rotation_axis`` (3.4.2).
 
-    The name is spelt as in the thesis. It is q·element·q̄, of which the vector part is returned.
+    The name is spelt as in the thesis. The result is the vector part of q·element·q̄.
     """
     inverse = conjugateQuaternion(scalar, rotation_axis)
     left = multiQuaternion(scalar, rotation_axis, 0, element)
@@ -141,7 +141,7 @@ def rotationMatrixZYX(
 ) -> Matrix:
     """Return R_z(psi)·R_y(phi)·R_x(theta), the matrix for the Euler angle (psi, phi, theta) (3.1.2).
 
-    Angles in radians. The letters are those of 3.1.2; chapter 2 calls the same three φ, θ, ψ.
+    Angles are in radians. The letters are those of 3.1.2; chapter 2 calls the same three φ, θ, ψ.
     """
     matrix: Matrix = matmul(
         zaxisMatrixrotation(psi), matmul(yaxisMatrixrotation(phi), xaxisMatrixrotation(theta))
@@ -158,8 +158,8 @@ def rotationbyMatrix(matrix: Matrix, point: Vector, *, matmul: Product = matmul)
 def rotationMatrixFromQuaternion(angle: Scalar, rotation_axis: Vector) -> Matrix:
     """Return the matrix of the rotation by ``angle`` about ``rotation_axis``, normalised first (3.4.4).
 
-    With a + bi + cj + dk = cos(angle/2) + sin(angle/2)·u. The text prints the entry of the second
-    row and third column as 2(cd + ab); it is 2(cd − ab). Raises ZeroDivisionError for the axis 0.
+    Here a + bi + cj + dk = cos(angle/2) + sin(angle/2)·u. The text prints the entry in the second row and
+    third column as 2(cd + ab); the correct entry is 2(cd − ab). Raises ZeroDivisionError for the axis 0.
     """
     a = cos(0.5 * angle)
     b, c, d = scalarVector(sin(0.5 * angle), NormalizeVector(rotation_axis))

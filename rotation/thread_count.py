@@ -5,11 +5,11 @@ from rotation.errors import RotationError
 
 
 def threads(number: int | None = None) -> int:
-    """Set the number of threads of a call to ``number``, if given; return it.
+    """Set the number of threads of a call to ``number``, if it is given; return the number.
 
-    At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
-    number of processors this process may run on. Raises `RotationError` unless it is a whole number of at
-    least 1.
+    The initial value is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
+    number of processors available to this process. Raises `RotationError` unless it is an integer of at least
+    1.
 
     Examples
     --------

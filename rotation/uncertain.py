@@ -1,8 +1,8 @@
 """Rotations and rigid motions with covariance: products, inverses, fusion, interpolation, samples.
 
-The true motion is ``exp(ξ)·mean`` with ξ normal of mean 0. T. D. Barfoot and P. T. Furgale, "Associating
-uncertainty with three-dimensional poses for use in estimation problems", IEEE Trans. Robotics 30 (2014).
-All formulas use `ad` and the adjoint, and so hold for both groups.
+The true motion is ``exp(ξ)·mean``, where ξ is normally distributed with mean 0. T. D. Barfoot and P. T.
+Furgale, "Associating uncertainty with three-dimensional poses for use in estimation problems", IEEE Trans.
+Robotics 30 (2014). All formulas use `ad` and the adjoint, so they hold for both groups.
 """
 
 from collections.abc import Iterable, Sequence
@@ -35,14 +35,14 @@ from rotation.namespaces import (
 from rotation.rigid import RigidTransform
 from rotation.rotation import Rotation
 
-_STEPS = 50  # of Gauss and Newton; some five are enough unless estimates contradict each other
+_STEPS = 50  # of Gauss and Newton; about five suffice unless estimates contradict each other
 
 Motion = Rotation | RigidTransform
 
 
 @pytrees.register_pytree("_mean", "_covariance")
 class Uncertain:
-    """Rotations or rigid motions that are known up to a covariance.
+    """Rotations or rigid motions with a covariance.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Uncertain:
         Of tangents: rotation vectors (radians²), or exponential coordinates, the rotation first. The batch
         shapes broadcast.
     side : "left" or "right"
-        Whether the tangents are in the axes of the world, ``exp(ξ)·mean``, or of the body, ``mean·exp(ξ)``.
+        Whether the tangents are in world axes, ``exp(ξ)·mean``, or in body axes, ``mean·exp(ξ)``.
 
     Raises
     ------
@@ -90,24 +90,26 @@ class Uncertain:
 
     @property
     def mean(self) -> Motion:
-        """The rotations or rigid motions themselves."""
+        """The rotations or rigid motions without the covariance."""
         return self._mean
 
     @property
     def covariance(self) -> Array:
-        """The covariances (…, n, n) of tangents on the left, in the axes of the world."""
+        """The covariances (…, n, n) of left tangents, in world axes."""
         return self._covariance + 0.0
 
     @property
     def right_covariance(self) -> Array:
-        """The covariances (…, n, n) of tangents on the right, in the axes of the body."""
+        """The covariances (…, n, n) of right tangents, in body axes."""
         return _carried(self._mean.inverse().adjoint(), self._covariance)
 
     def __repr__(self) -> str:
         return f"Uncertain({self._mean!r}, {self._covariance!r})"
 
     def __mul__(self, other: object) -> Self:
-        """Return the product of independent motions, the other first, to fourth order in the deviations."""
+        """Return the product of independent motions (``other`` is applied first), to fourth order in
+        deviations.
+        """
         if not isinstance(other, Uncertain):
             return NotImplemented
         mean = self._mean * other._mean
@@ -129,9 +131,9 @@ class Uncertain:
 
     @quiet
     def interpolate(self, other: Self, t: ArrayLike) -> Self:
-        """Return the motion at ``t`` (…) on the way to an independent one; to first order in the deviations.
+        """Return the motion at ``t`` (…) on the path to an independent one, to first order in the deviations.
 
-        The mean goes along one screw at constant rate, as by `sclerp`, for rotations by `slerp`.
+        The mean moves along one screw with constant velocity, as in `sclerp`, or for rotations as in `slerp`.
 
         Raises
         ------
@@ -159,16 +161,17 @@ class Uncertain:
     @classmethod
     @quiet
     def fuse(cls, estimates: Iterable[Self]) -> Self:
-        """Return the most likely motion of independent estimates of one, and its covariance.
+        """Return the most likely motion, given independent estimates of it, and its covariance.
 
-        Minimises ``Σ eᵀ·P⁻¹·e`` with ``e = log(mean·T⁻¹)`` by the steps of Gauss and Newton, from the first.
+        Minimises ``Σ eᵀ·P⁻¹·e`` with ``e = log(mean·T⁻¹)`` by Gauss–Newton steps, starting from the first
+        estimate.
 
         Raises
         ------
         RotationError
             No estimates, shapes that do not fit, a covariance that is singular, or no convergence.
         DTypeError
-            Something among them is no Uncertain, or they are of two kinds.
+            One of them is not an Uncertain, or they are of two kinds.
         """
         members = list(estimates)
         if not members:
@@ -212,7 +215,7 @@ class Uncertain:
         *,
         seed: Seed | None = None,
     ) -> Motion:
-        """Return motions drawn at random, of batch shape ``shape`` and then that of the mean.
+        """Return random motions, with batch shape ``shape`` followed by that of the mean.
 
         Parameters
         ----------
@@ -228,9 +231,9 @@ class Uncertain:
 
     @classmethod
     def from_samples(cls, samples: Motion) -> Self:
-        """Return the mean and the covariance of independent samples along the first axis, at least two.
+        """Return the mean and the covariance of at least two independent samples along the first axis.
 
-        The mean is that at which the tangents on the left sum to 0; the covariance is divided by n − 1.
+        At the mean the left tangents sum to 0; the covariance is divided by n − 1.
 
         Raises
         ------
@@ -278,7 +281,7 @@ def _expect_covariance(p: Array) -> None:
 
 
 def _carried(a: Array, p: Array) -> Array:
-    """``A·P·Aᵀ``."""
+    """Return ``A·P·Aᵀ``."""
     xp = namespace(a, p)
     return _symmetric(xp.matmul(xp.matmul(a, p), xp.matrix_transpose(a)))
 
@@ -288,14 +291,14 @@ def _symmetric(p: Array) -> Array:
 
 
 def _squared(p: Array) -> Array:
-    """The mean of ``ad(ξ)²``: ad is linear, so row i of P makes ``Σⱼ Pᵢⱼ·ad(eⱼ)``."""
+    """Return the mean of ``ad(ξ)²``; ad is linear, so row i of P gives ``Σⱼ Pᵢⱼ·ad(eⱼ)``."""
     xp = namespace(p)
     units = ad(xp.eye(p.shape[-1], dtype=p.dtype))
     return xp.sum(xp.matmul(units, ad(p)), axis=-3)
 
 
 def _sum_over(rows: Array, q: Array) -> Array:
-    """The mean of ``ad(ξ)·Q·ad(ξ)ᵀ``."""
+    """Return the mean of ``ad(ξ)·Q·ad(ξ)ᵀ``."""
     xp = namespace(q)
     units = ad(xp.eye(q.shape[-1], dtype=q.dtype))
     each = xp.matmul(xp.matmul(units, q[..., None, :, :]), xp.matrix_transpose(rows))

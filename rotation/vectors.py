@@ -1,6 +1,6 @@
-"""Rotation vectors and axes: length is the angle, direction the axis (thesis, section 2.2.5).
+"""Rotation vectors and axes: the length is the angle, the direction the axis (thesis, section 2.2.5).
 
-The functions are accurate in the whole range of floats: a rotation by 1e-300 keeps its direction and size,
+The functions are accurate over the whole range of floats: a rotation by 1e-300 keeps its direction and size,
 and one by 1e300 does not overflow.
 """
 
@@ -41,8 +41,8 @@ ARCSINE = (2.0, 1.0 / 3.0, 3.0 / 20.0)
 def from_rotvec(vectors: ArrayLike, degrees: bool = False) -> Array:
     """Return the unit quaternions of rotation vectors of shape (…, 3).
 
-    The length is computed with twice the digits, for it is an angle: half an ulp of 1e9 is a
-    visible turn. Degrees are reduced as degrees.
+    The length is computed with twice the digits, because it is an angle: half an ulp of 1e9 is a visible
+    rotation. Degrees are reduced in degrees.
     """
     v = floats(vectors, "rotation vectors")
     expect_last(v, (3,), "rotation vectors")
@@ -71,10 +71,10 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
 
 
 def _exponential(xp: Namespace, v: Array) -> Array:
-    """The exponential without pairs, for libraries with derivatives.
+    """Return the exponential without pairs, for libraries with derivatives.
 
-    Near 0 series take over, which have all derivatives there. What a compiler is to compute once a row
-    stands apart from the coordinates that it multiplies.
+    Near 0 series are used, which have all derivatives there. Expressions that a compiler should compute once
+    per row are separate from the coordinates that they multiply.
     """
     c = split(v)
     largest = reduce(xp.maximum, (xp.abs(a) for a in c))
@@ -92,7 +92,7 @@ def _exponential(xp: Namespace, v: Array) -> Array:
 
 
 def turn(xp: Namespace, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coordinates:
-    """Return the coordinates ``cos, sin·a/n`` for an axis a of length n, each rounded nearly once."""
+    """Return the coordinates ``cos, sin·a/n`` for an axis a of length n, each almost correctly rounded."""
     ratio = quotient(xp, sine, n)
     return (cosine[0] + cosine[1], *(times(xp, ratio, a) for a in axis))
 
@@ -101,7 +101,7 @@ _FROM_ROTVEC = [RowFormula(_from_rotvec, (3,), parameters=(degrees,)) for degree
 
 
 def _sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
-    """As pairs in the first quadrant, beyond it rounded."""
+    """Return sine and cosine, as pairs in the first quadrant, rounded beyond it."""
     if hasattr(xp, "waves"):
         both: tuple[Pair, Pair] = xp.waves(*angle)
         return both
@@ -121,7 +121,7 @@ def _sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
 
 
 def to_rotvec(q: Array, degrees: bool = False) -> Array:
-    """Return the rotation vectors, of lengths in [0, π], of unit quaternions of shape (…, 4)."""
+    """Return the rotation vectors, with lengths in [0, π], of unit quaternions of shape (…, 4)."""
     return _TO_ROTVEC[bool(degrees)](q)
 
 
@@ -161,7 +161,7 @@ _TO_ROTVEC = [RowFormula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in
 
 @quiet
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike, degrees: bool = False) -> Array:
-    """Return the unit quaternions of turns by ``angle`` (…) about ``axis`` (…, 3), of any length but 0.
+    """Return the unit quaternions of rotations by ``angle`` (…) about ``axis`` (…, 3), of any length but 0.
 
     Raises
     ------
@@ -182,7 +182,9 @@ def _from_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
 
 
 def about_axis(axis: Coordinates, angle: Array, degrees: bool) -> Coordinates:
-    """Return the coordinates of the quaternions of turns about axes; NaN where one is 0 or not finite."""
+    """Return the coordinates of quaternions of rotations about axes; NaN for axes that are 0 or not
+    finite.
+    """
     xp, half = namespace(axis[0]), 0.5 * angle
     if not hasattr(xp, "waves"):
         s, c = waves(xp, half, degrees)
@@ -231,7 +233,7 @@ def from_mrp(parameters: ArrayLike) -> Array:
 
 
 def _from_mrp(v: Array) -> Array:
-    """With t the length, ``(1 − t², 2·v) / (1 + t²)``; long v are divided by a power of two first."""
+    """Return ``(1 − t², 2·v) / (1 + t²)`` for v of length t; long v are first divided by a power of two."""
     xp = namespace(v)
     c = split(v)
     f = factor(xp, c)
@@ -250,7 +252,7 @@ _FROM_MRP = RowFormula(_from_mrp, (3,))
 
 
 def to_mrp(q: Array) -> Array:
-    """Return the modified Rodrigues parameters, of lengths in [0, 1], of unit quaternions."""
+    """Return the modified Rodrigues parameters, with lengths in [0, 1], of unit quaternions."""
     return _TO_MRP(q)
 
 
@@ -265,10 +267,10 @@ _TO_MRP = RowFormula(_to_mrp, (4,))
 
 @quiet
 def between(source: ArrayLike, target: ArrayLike) -> Array:
-    """Return the unit quaternions of the shortest turns that take directions ``source`` to ``target``.
+    """Return the unit quaternions of the rotations of least angle that map ``source`` to ``target``.
 
-    Opposite directions are half a turn apart about every perpendicular axis; taken is the one
-    perpendicular to ``source`` and to the coordinate axis farthest from it.
+    Opposite directions are related by half turns about all perpendicular axes; the axis used is perpendicular
+    to ``source`` and to the coordinate axis farthest from it.
 
     Parameters
     ----------
@@ -294,7 +296,8 @@ def between(source: ArrayLike, target: ArrayLike) -> Array:
     sums = tuple(s + t for s, t in zip(a, b, strict=True))
     differences = tuple(t - s for s, t in zip(a, b, strict=True))
     chord = length(xp, sums)  # 2·cos of half the angle; the other chord is 2·sin
-    # a × b = a × (b − a) = a × (a + b): the shorter of the two loses nothing to cancellation.
+    # a × b = a × (b − a) = a × (a + b): with the shorter of the two, nothing is lost to
+    # cancellation.
     obtuse = chord < length(xp, differences)
     short = tuple(xp.where(obtuse, s, d) for s, d in zip(sums, differences, strict=True))
     opposite = chord <= 8.0 * float(xp.finfo(chord.dtype).eps)
@@ -312,7 +315,7 @@ def cross(a: Coordinates, b: Coordinates) -> Coordinates:
 
 
 def _farthest_axis(xp: Namespace, a: Coordinates) -> Coordinates:
-    """The unit coordinate axis that makes the largest angle with ``a``; the first of equals."""
+    """Return the unit coordinate axis with the largest angle to ``a``; the first one if there are several."""
     x, y, z = (xp.abs(c) for c in a)
     one, zero = xp.ones_like(x), xp.zeros_like(x)
     first = (x <= y) & (x <= z)

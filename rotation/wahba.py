@@ -1,4 +1,4 @@
-"""Wahba's problem on arrays: the quaternion that maps one set of vectors closest to another.
+"""Wahba's problem on arrays: the quaternion that brings one set of vectors closest to another.
 
 G. Wahba, "A least squares estimate of satellite attitude", SIAM Review 7 (1965); solved by the
 singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley (1988).
@@ -30,7 +30,7 @@ from rotation.vectors import between, from_axis_angle
 
 
 def checked(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array, Array]:
-    """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together.
+    """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays of compatible shapes.
 
     Vectors of weight 0 are set to 0, whatever they were, except for libraries that differentiate by weights.
     """
@@ -44,11 +44,13 @@ def checked(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Arra
 
 
 def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array]:
-    """Return two sets of vectors (…, N, 3) as arrays that fit together, of the library of all three."""
+    """Return two sets of vectors (…, N, 3) as compatible arrays, in the common library of all three
+    arguments.
+    """
     xp = namespace(a, b, weights)
     v: Array = floats(a, "vectors", xp)
     w: Array = floats(b, "vectors", xp)
-    if is_numpy(xp):  # the order of sums does not depend on that of memory
+    if is_numpy(xp):  # the order of sums must not depend on the memory layout
         v, w = np.ascontiguousarray(v), np.ascontiguousarray(w)
     for vectors in (v, w):
         expect_last(vectors, (3,), "vectors")
@@ -63,11 +65,12 @@ def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tu
 
 
 def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
-    """Return the solution if one pair has infinite weight: it is aligned exactly, the others best possible.
+    """Return the solution if one pair has infinite weight: it is aligned exactly, the others as well as
+    possible.
 
-    Return None if all weights are finite. The first rotation aligns this pair; the second is about its
-    direction u by the angle ``atan2(Σ w·a·(u × b'), Σ w·a·b' − (a·u)(b'·u))``, with b' the vectors b after
-    the first.
+    Return None if all weights are finite. A first rotation aligns this pair. A second rotation about its
+    direction u has the angle ``atan2(Σ w·a·(u × b'), Σ w·a·b' − (a·u)(b'·u))``, where b' are the vectors b
+    after the first rotation.
 
     Raises
     ------
@@ -109,8 +112,9 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
 def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
     """Return the sensitivity of a fit, shape (…, 3, 3).
 
-    ``mean(w)·(tr(P)·1 − P)⁻¹`` with ``P = Σ w·a·(R·b)ᵀ``: times the variance of the vectors' errors (relative
-    to their weights) it is the covariance of the error of R, a rotation vector in the axes of a.
+    It is ``mean(w)·(tr(P)·1 − P)⁻¹`` with ``P = Σ w·a·(R·b)ᵀ``. Multiplied by the variance of the vectors'
+    errors (relative to their weights), it is the covariance of the error of R, a rotation vector in the axes
+    of a.
 
     Raises
     ------
@@ -140,9 +144,9 @@ def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
 
 @quiet
 def fitted(a: Array, b: Array, w: Array | None) -> tuple[Array, Array]:
-    """Return the quaternions (…, 4) that take b closest to a, and the roots of the sums that remain.
+    """Return the quaternions (…, 4) that bring b closest to a, and the square roots of the remaining sums.
 
-    Without weights all are 1.
+    Without ``w`` all weights are 1.
     """
     found = _fitted_to_one(a, b, w)
     if found is None and w is not None:
@@ -154,7 +158,7 @@ def fitted(a: Array, b: Array, w: Array | None) -> tuple[Array, Array]:
 
 
 def _fitted_to_one(a: Array, b: Array, w: Array | None) -> tuple[Array, Array] | None:
-    """The fit of one set, in a few calls; None for several sets and where numbers are not as usual."""
+    """Return the fit of one set in a few calls; None for several sets and for unusual numbers."""
     if a.ndim != 2 or type(a) is not np.ndarray or type(b) is not np.ndarray:
         return None
     m = (a.T if w is None else a.T * w) @ b
@@ -169,7 +173,7 @@ def _fitted_to_one(a: Array, b: Array, w: Array | None) -> tuple[Array, Array] |
 
 @quiet
 def remaining(q: Array, a: Array, b: Array, w: Array | None) -> Array:
-    """Return ``√(Σ w‖a − R·b‖²)``; no square overflows."""
+    """Return ``√(Σ w‖a − R·b‖²)``, without overflow of squares."""
     xp = namespace(a)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
     rests = _LENGTH(a - turned)
@@ -179,7 +183,7 @@ def remaining(q: Array, a: Array, b: Array, w: Array | None) -> Array:
 
 
 def _root_of_squares(xp: Namespace, rests: Array) -> Array:
-    """Return the roots of the sums of squares of numbers (…, N) that are not negative."""
+    """Return the square roots of sums of nonnegative numbers (…, N)."""
     if is_numpy(xp) and rests.ndim == 1 and 1e-200 < (square := rests @ rests) < 1e200:
         root: Array = np.sqrt(square)
         return root
@@ -210,7 +214,7 @@ def _weights(xp: Namespace, weights: ArrayLike | None, vectors: Array) -> Array:
 
 
 def _best(xp: Namespace, a: Array, b: Array, w: Array | None) -> Array:
-    # Only directions matter, and lengths relative to each other: nothing overflows when squared.
+    # Only directions and relative lengths matter; after scaling, no square overflows.
     a, b = a / largest(xp, a), b / largest(xp, b)
     if w is not None:
         heaviest = xp.max(w, axis=-1, keepdims=True)

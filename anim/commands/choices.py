@@ -48,7 +48,7 @@ READING = {"spin": "absolute", "order": "spin-first", "angle": "quarter", "euler
 
 
 def refuse_ignored(args: Namespace, kind: OutputKind) -> None:
-    """Refuse options that this kind of output does not have. Raises :class:`UsageError`."""
+    """Reject options without effect for this kind of output. Raises :class:`UsageError`."""
     alone = next((flag for flag in ("quaternions", "figures") if getattr(args, flag)), None)
     for name in _given(args):
         flag = f"--{name.replace('_', '-')}"
@@ -89,7 +89,7 @@ def model_of(args: Namespace) -> Model:
 
 
 def clip_of(args: Namespace, recorded: Recorded | None = None) -> Clip:
-    """Return the number of frames and their rate; by default a recorded motion is shown in full."""
+    """Return the number of frames and their rate; by default a recorded motion is shown completely."""
     from anim.film import FPS, clip
 
     if recorded is not None:
@@ -102,7 +102,7 @@ def clip_of(args: Namespace, recorded: Recorded | None = None) -> Clip:
 
 
 def numbers_of(args: Namespace, clip: Clip) -> list[int]:
-    """Return which frames are in the one picture that the flags ask for, counted from 0."""
+    """Return the numbers of the frames in a single picture, as the flags request, counted from 0."""
     if args.sheet:
         from anim.output.sheet import shown
 
@@ -137,9 +137,9 @@ def recorded_of(args: Namespace) -> Recorded | None:
 def motions_of(
     args: Namespace, model: Model, film: Clip, recorded: Recorded | None = None
 ) -> list[Motion]:
-    """Return the motion that the flags describe; for a page without ``--model``, all four of the thesis.
+    """Return the motion described by the flags; for a page without ``--model``, all four of the thesis.
 
-    Flags of the thesis's motion, or of the heavy top, choose the model where none is named.
+    Without ``--model``, flags of the thesis's motion or of the heavy top select the model.
     """
     from anim.output.writing import kind_of
     from anim.pipelines import PIPELINES, kinematic
@@ -163,7 +163,7 @@ def motions_of(
 
 
 def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeTop | None:
-    """Return the simulated top for a live page, or None; a motion of the thesis gets a free top beside it."""
+    """Return the simulated top for a live page, or None; for a motion of the thesis it is a free top."""
     from anim.physics import FreeTop, HeavyTop
 
     if isinstance(motion.sampler, (HeavyTop, FreeTop)):
@@ -175,7 +175,7 @@ def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeT
 
 
 def encoding_of(args: Namespace, path: Path) -> dict[str, Any]:
-    """Return the options of the encoding. Raises :class:`UsageError` where the format does not have them."""
+    """Return the options of the encoding. Raises :class:`UsageError` if the format does not have them."""
     given = {name: getattr(args, name) for name in ENCODING if getattr(args, name) is not None}
     for name in given:
         if path.suffix.lower() not in ENCODING[name]:
@@ -193,7 +193,9 @@ def camera_of(args: Namespace) -> Camera:
 
 
 def settings_of(args: Namespace, size: tuple[int, int]) -> RenderSettings:
-    """Return the settings, by default those of a film, of ``size``; a preview is half as wide and high."""
+    """Return the settings of size ``size``, by default those of a film; a preview has half the width and
+    height.
+    """
     from anim.picture.environment import environment
     from anim.picture.settings import FILM_SETTINGS
 
@@ -217,7 +219,7 @@ def _reading(args: Namespace) -> Timeline:
 
 
 def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
-    """Return the film of the heavy top, with the flags in place of its defaults."""
+    """Return the film of the heavy top, with defaults replaced by the flags."""
     from anim.physics import physical
 
     given = {

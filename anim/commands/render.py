@@ -1,4 +1,4 @@
-"""``hfield render``: the spinning top as a film, a folder of pictures, a contact sheet or a web page."""
+"""``hfield render``: show the spinning top as a film, a folder of pictures, a contact sheet or a web page."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
     model, recorded = model_of(args), recorded_of(args)
     clip = clip_of(args, recorded)
     kind = kind_of(path)
-    encoding_of(args, path)  # refuses at once what the format has not
+    encoding_of(args, path)  # raises an error at once for options that the format does not support
     if args.sheet or args.frame is not None or kind is OutputKind.PICTURE:
         return _picture(args, model, clip, path, recorded)
     if kind is OutputKind.PAGE:
@@ -125,7 +125,7 @@ def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
 def _picture(
     args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None
 ) -> int:
-    """Write one picture: ten frames of the film, or the one asked for."""
+    """Write one picture: ten frames of the film, or a single one if requested."""
     from anim.commands.choices import motions_of, numbers_of, settings_of
     from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
@@ -149,7 +149,7 @@ def _picture(
 
 
 def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
-    """Write the page: the four models side by side, or the one named; for physics with curves."""
+    """Write the page: the four models side by side, or a single one if named; physical tops with curves."""
     from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
@@ -183,7 +183,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
 
 
 def _seeing(args: Namespace, path: Path) -> int:
-    """Write the page Seeing quaternions."""
+    """Write the page "Seeing quaternions"."""
     from anim.output.destination import refuse_early, write_text
     from anim.output.writing import OutputKind, kind_of
     from anim.viewer import seeing

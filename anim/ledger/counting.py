@@ -1,6 +1,6 @@
 """Claims that count: parts of the model, variables of functions, frames of a film.
 
-Everything is counted by running or inspecting the package; what loads numpy does so when asked.
+Everything is counted by running or inspecting the package; code that loads numpy does so only when needed.
 """
 
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ SHOWN = (0, 49, 99, 149, 199, 249, 299, 349, 399, 449)
 
 
 def model_has(count: int, what: str, ring: int = RING) -> Computed:
-    """Say that the model with ``ring`` points on each circle has so many parts of a kind.
+    """Return the claim that the model with ``ring`` points per circle has so many parts of a kind.
 
     ``what`` is a key of :meth:`anim.model.Model.counts`.
     """
@@ -33,7 +33,7 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
 
 
 def listed(names: Sequence[str], count: int, of: str) -> Computed:
-    """Say that a list printed in the thesis has so many entries; ``of`` says what it lists."""
+    """Return the claim that a list printed in the thesis has so many entries; ``of`` describes the list."""
 
     def check_claim() -> ComputedResult:
         step = f"{len(names)} listed: {', '.join(names)}"
@@ -43,7 +43,7 @@ def listed(names: Sequence[str], count: int, of: str) -> Computed:
 
 
 def takes(name: str, count: int) -> Computed:
-    """Say that a function of :mod:`rotation.thesis` takes so many arguments."""
+    """Return the claim that a function of :mod:`rotation.thesis` has so many arguments."""
 
     def check_claim() -> ComputedResult:
         names = list(signature(getattr(thesis, name)).parameters)
@@ -54,10 +54,10 @@ def takes(name: str, count: int) -> Computed:
 
 
 def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
-    """Say that ten frames are shown, those of the numbers given, out of so many.
+    """Return the claim that ten frames with these numbers are shown, out of so many frames.
 
-    They are compared with the frames on the contact sheet, :func:`anim.output.sheet.shown`: the first,
-    and the last one of each tenth of the film but the last.
+    They are compared with the frames on the contact sheet (:func:`anim.output.sheet.shown`): the first frame,
+    and the last frame of each tenth of the film except the last tenth.
     """
 
     def check_claim() -> ComputedResult:
@@ -72,7 +72,7 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
 
 
 def loop(last: int) -> Computed:
-    """Say that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
+    """Return the claim that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
 
     def check_claim() -> ComputedResult:
         made, time = [], 0

@@ -1,4 +1,4 @@
-"""Section 3.4.3: the motion by matrices, with Euler angles in the place of the second rotation."""
+"""Section 3.4.3: the motion by matrices, with Euler angles instead of the second rotation."""
 
 from anim.ledger.counting import SHOWN, film_shows, listed
 from anim.ledger.turning import UP, axis, rotation, turned
@@ -19,9 +19,9 @@ OF_R = {0: (ONE, ZERO), 1: (Y, S), -1: (Y, -S)}  # cosine and sine of 0, r and �
 
 
 def leaning(axes: str) -> Angles:
-    """Say that the Euler angle (0, r·sin x, r·cos x) leans the top by r, whatever quarter of a turn x is.
+    """Return the claim that the Euler angle (0, r·sin x, r·cos x) tilts the top by r at every quarter turn x.
 
-    It leans towards (sin x, −cos x), a direction that turns with x.
+    The top leans towards (sin x, −cos x), a direction that turns with x.
     """
     equations = []
     for cos, sin in QUARTERS:
@@ -36,9 +36,9 @@ def leaning(axes: str) -> Angles:
     return Angles(Assertion.of(both(*equations), ("y**2 + s**2 == 1",), words))
 
 
-# The last frame. x is 32π, so that u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions; the
-# Euler angle is (0, 0, 1/2), s and t being the cosine and the sine of 1/2, which is no multiple of π. The
-# spin about z comes first, and does not move the top's axis.
+# The last frame. x is 32π, so u = (r, 0, √(1 − r²)), r = 1/4, is the axis of the quaternions. The
+# Euler angle is (0, 0, 1/2); s and t are the cosine and the sine of 1/2, which is not a multiple of
+# π. The spin about z is applied first and does not move the top's axis.
 AXIS = ("4*y == 1", "z**2 == 1 - y**2")
 BY_EULER = turned((ONE, ZERO, ZERO), UP, S, T)
 
@@ -69,7 +69,9 @@ CIRCLES = tuple(f"{a}[0]**2 + {a}[1]**2 == 1" for a in "pqr")
 
 
 def matrix_of(axes: str, *given: str) -> Assertion:
-    """Say that rotationMatrixZYX(ψ, φ, θ) turns by its three angles about these axes, the last first."""
+    """Return the claim that rotationMatrixZYX(ψ, φ, θ) rotates by its angles about these axes, the last
+    first.
+    """
     angles, turn = names("psi phi theta"), code("rotationbyMatrix")
     v = stepwise = coordinates("v")
     for letter, angle in reversed(list(zip(axes, angles, strict=True))):

@@ -1,7 +1,7 @@
 """Section 3.4.2: one quaternion for two rotations, and Theorem 7.
 
-p and q are q₁ and q₂ of the thesis, v the point. Of the functions, what they return is found by running
-those of :mod:`rotation.thesis` on terms.
+p and q are q₁ and q₂ of the thesis, and v is the point. The functions of :mod:`rotation.thesis` are run on
+terms to find their results.
 """
 
 from collections.abc import Callable
@@ -41,7 +41,9 @@ TWICE = code("rotationquaternionChaged")(
 
 
 def first_about_z(turned: Node, name: str) -> Assertion:
-    """Say that a term is the point turned about the z axis, and then by q; ``name`` says which term."""
+    """Return the claim that a term is the point rotated about the z axis, then by q; ``name`` describes the
+    term.
+    """
     spun = SPIN * POINT * inv(SPIN)
     return Assertion.of(
         equal(turned, Q * spun * inv(Q)),
@@ -51,7 +53,7 @@ def first_about_z(turned: Node, name: str) -> Assertion:
 
 
 def once(first: Parts, second: Parts, name: str) -> Assertion:
-    """Say that turning twice is turning once by the product; ``name`` says which product."""
+    """Return the claim that two rotations equal one by the product; ``name`` describes the product."""
     product = code("multiQuaternion")(*second, *first)
     turned = code("rotationquaternionChaged")(*product, ELEMENT)
     return Assertion.of(
@@ -88,7 +90,8 @@ class MultiplicationCounter:
 def work(points: int) -> tuple[int, int]:
     """Return the numbers of multiplications that spin3d and spin3dOptimized need for so many points.
 
-    Of a frame: two rotations a point; or one a point, and the product of the two quaternions once.
+    Per frame, spin3d needs two rotations for each point; spin3dOptimized needs one for each point, and the
+    product of the two quaternions once.
     """
     read: dict[str, Callable[[Node], Node]] = {"cos": lambda x: x, "sin": lambda x: x}
     t = MultiplicationCounter()
@@ -103,7 +106,7 @@ def work(points: int) -> tuple[int, int]:
 
 
 def saves(factor: int) -> Computed:
-    """Say that spin3dOptimized turns the points of the model by so many times fewer multiplications."""
+    """Return the claim that spin3dOptimized needs fewer multiplications for the model by this factor."""
 
     def check_claim() -> ComputedResult:
         from anim.model import Model

@@ -1,8 +1,8 @@
 """Section 3.4.1: the motion by two quaternions.
 
-The axis of the second rotation is u = (r·cos x, r·sin x, √(1 − r²)); here y is r, z the root, and
-(p[0], p[1]) the point (cos x, sin x) of the circle, so that there is an algebraic core over every
-commutative ring. A rotation is met through the cosine and the sine of its angle, by Rodrigues' formula.
+The axis of the second rotation is u = (r·cos x, r·sin x, √(1 − r²)). Here y is r, z is the root, and (p[0],
+p[1]) is the point (cos x, sin x) of the circle, so there is an algebraic core over every commutative ring. A
+rotation is given by the cosine and the sine of its angle, with Rodrigues' formula.
 """
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
@@ -29,10 +29,10 @@ AT_FIRST = turned(axis(ONE, ZERO), UP, ZERO, ONE)
 
 
 def tilted_without_spin(own: Node) -> Angles:
-    """Say that 1 + u, the rotation by π/2 about u, is a turn by ``own`` and then a tilt.
+    """Return the claim that 1 + u, the rotation by π/2 about u, is a rotation by ``own`` followed by a tilt.
 
-    ``own`` is about the top's own axis, k, and the same for every x. A tilt is about a horizontal axis:
-    the product of 1 + u and the conjugate of ``own`` has nothing over k.
+    ``own`` is a rotation about the top's own axis k, the same for every x. A tilt is a rotation about a
+    horizontal axis: the product of 1 + u and the conjugate of ``own`` has k coordinate 0.
     """
     attitude = quaternion(1, U)
     tilt = attitude * conj(own)
@@ -46,9 +46,9 @@ def tilted_without_spin(own: Node) -> Angles:
 
 
 def precession(cosine: Node, sine: Node) -> Angles:
-    """Say that the top's axis for the angle x is that for 0, turned about the vertical.
+    """Return the claim that the top's axis at angle x is the axis at 0 rotated about the vertical.
 
-    By x if the cosine and sine are those of x.
+    The rotation is by x if the cosine and sine are those of x.
     """
     return Angles(
         Assertion.of(
@@ -58,7 +58,9 @@ def precession(cosine: Node, sine: Node) -> Angles:
 
 
 def height(of_apex: Node) -> Every:
-    """Say how high the end of the unit vector on the top's axis is, and that it is upright for r = 0."""
+    """Return the claim for the height of the unit vector's end on the top's axis; the top is upright for r =
+    0.
+    """
     upright = Assertion.of(equal(LEANING, UP), ("y == 0", "z == 1"))
     return Every((Assertion.of(same(LEANING[2], of_apex), (ROOT,)), upright))
 
@@ -72,7 +74,9 @@ DOUBLE = {
 
 
 def spin_about(letter: str) -> Every:
-    """Say that ``speed`` and ``angle`` are the angles about one of the axes x, y, z and ``axis_rotation``."""
+    """Return the claim that ``speed`` and ``angle`` are angles about the axis ``letter`` and
+    ``axis_rotation``.
+    """
     matrix = code(f"{letter}axisMatrixrotation", **DOUBLE)(ANGLE)
     spins = same_lists(SPUN, code("rotationbyMatrix")(matrix, Q))
     return Every(
@@ -92,9 +96,11 @@ def spin_about(letter: str) -> Every:
 
 
 def drawn(falling: bool) -> Computed:
-    """Say what values :class:`anim.timeline.Timeline` takes over 500 frames; ``falling`` is the speed.
+    """Return the claim for the values of :class:`anim.timeline.Timeline` in 500 frames; ``falling`` is the
+    speed.
 
-    500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
+    There are 500 values of each parameter, equally spaced up to rounding, from one end of the printed
+    interval to the other.
     """
 
     def check_claim() -> ComputedResult:
@@ -130,7 +136,7 @@ def spin(frame: Node) -> Node:
 
 
 def turn(frame: Node) -> Node:
-    """Return by how much the spin's angle is smaller one frame later."""
+    """Return by how much the spin's angle decreases from one frame to the next."""
     return spin(frame) - spin(frame + 1)
 
 
@@ -145,14 +151,14 @@ CONSTANT = Assertion.of(
 
 
 def azimuth_steps(parts: int) -> InField:
-    """Say that 32π in so many steps makes 11.54° a step, and 16 turns in all."""
+    """Return the claim that 32π in so many steps is 11.54° per step, and 16 turns in total."""
     whole = Assertion(f"{parts}*(32/{parts}) == 2*16")
     degrees = between("11.535", f"180*32/{parts}", "11.545", "the step in degrees")
     return InField("QQ", Every((whole, degrees)))
 
 
 def unit(vector: Vector) -> Angles:
-    """Say that an axis has length 1."""
+    """Return the claim that an axis has length 1."""
     x, y, z = vector
     return Angles(Assertion.of(same(x**2 + y**2 + z**2, 1), (ON_CIRCLE, ROOT)))
 

@@ -1,4 +1,4 @@
-"""Section 3.4.4: the matrix of a unit quaternion, and the function that makes it.
+"""Section 3.4.4: the matrix of a unit quaternion, and the function that computes it.
 
 q = a + bi + cj + dk, and v a point. The function is run on terms.
 """
@@ -15,7 +15,7 @@ LETTERS = {ord(letter): f"q[{n}]" for n, letter in enumerate("abcd")}
 
 
 def quaternion_matrix(sixth: str) -> Matrix:
-    """Return the matrix of a quaternion with an entry for the second row and third column."""
+    """Return the matrix of a quaternion, with ``sixth`` as the entry in the second row and third column."""
     rows = (
         "a**2 + b**2 - c**2 - d**2, 2*(b*c - a*d), 2*(b*d + a*c);"
         f"2*(b*c + a*d), a**2 - b**2 + c**2 - d**2, {sixth};"
@@ -30,7 +30,7 @@ UNIT = ("norm(q) == 1",)
 
 
 def turns(m: Matrix, sixth: str) -> Assertion:
-    """Say that a matrix turns i, j and k, and so every point, as the unit quaternion q does.
+    """Return the claim that a matrix rotates i, j and k, hence every point, like the unit quaternion q.
 
     ``sixth`` names its sixth entry.
     """
@@ -43,7 +43,9 @@ def turns(m: Matrix, sixth: str) -> Assertion:
 
 
 def is_orthogonal(m: Matrix, sixth: str) -> Assertion:
-    """Say that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its sixth entry."""
+    """Return the claim that a matrix of the unit quaternion q is orthogonal; ``sixth`` names its
+    sixth entry.
+    """
     return Assertion.of(orthogonal(m), UNIT, f"if |q| = 1, the matrix with {sixth} is orthogonal")
 
 
@@ -53,7 +55,7 @@ EQUAL = ("q[1] == q[0]", "q[2] == q[0]", "q[3] == q[0]")
 def above_all(claim: Assertion) -> Every:
     """Return the claim, preceded by a special case: unit quaternions with four equal coordinates.
 
-    Where the claim is wrong the case shows it, over fields with few unit quaternions too.
+    If the claim is false the special case shows it, even over fields with few unit quaternions.
     """
     return Every((Assertion(claim.formula, (*EQUAL, *claim.given)), claim), claim.text)
 
@@ -73,7 +75,7 @@ LENGTH = (equal(Y**2, norm(point(P))), unequal(Y, 0))
 
 
 def made_of(h: Node, words: str, *given: str) -> Assertion:
-    """Say that the function's matrix turns points as a quaternion does."""
+    """Return the claim that the function's matrix rotates points like a quaternion."""
     return Assertion.of(equal(TURNED, h * point(V) * conj(h)), (*LENGTH, *given), words)
 
 

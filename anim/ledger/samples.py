@@ -15,9 +15,10 @@ ROUNDING = 2.0**-50
 
 
 def parameters(all_of_them: int, needed: int) -> Computed:
-    """Say how many arguments ``linspace`` takes by position, and that all after the first have defaults.
+    """Return the claim for the number of positional arguments of ``linspace``, with defaults for all but the
+    first.
 
-    ``needed`` are those that the thesis gives.
+    ``needed`` are the arguments that the thesis gives.
     """
 
     def check_claim() -> ComputedResult:
@@ -42,10 +43,10 @@ def parameters(all_of_them: int, needed: int) -> Computed:
 
 
 def spaced(steps: Callable[[int], int], interval: str) -> Computed:
-    """Say that ``linspace`` returns ``num`` numbers, the n-th n steps from the start.
+    """Return the claim that ``linspace`` returns ``num`` numbers, the n-th at n steps from the start.
 
-    ``steps`` tells into how many steps it divides the interval, from ``num``. The claim is checked for
-    all that the thesis uses, up to rounding.
+    ``steps`` returns the number of steps of the interval as a function of ``num``. The claim is checked for
+    all values that the thesis uses, up to rounding.
     """
 
     def check_claim() -> ComputedResult:
@@ -67,7 +68,9 @@ def spaced(steps: Callable[[int], int], interval: str) -> Computed:
 
 
 def circle_points(different: bool) -> Computed:
-    """Say that ``linspace(0, 2π, 1000)`` gives 1000 points on each circle, or that they are different."""
+    """Return the claim that ``linspace(0, 2π, 1000)`` gives 1000 points per circle, or that they are
+    distinct.
+    """
 
     def check_claim() -> ComputedResult:
         import numpy as np

@@ -1,7 +1,7 @@
 """Section 3.3: the shape of the top.
 
-Points of space are the coordinates 1, 2, 3 of quaternions. The polygons are those of
-:class:`anim.model.Model`, counted.
+Points of space are the coordinates 1, 2, 3 of quaternions. The polygons of :class:`anim.model.Model` are
+counted.
 """
 
 from collections import Counter
@@ -20,11 +20,11 @@ from hfield.prover.decision import NOT_APPLICABLE, Decision
 
 
 def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -> Every:
-    """Say that the lines from (0, 0, apex) to a circle about the z axis make a cone about it.
+    """Return the claim that the lines from (0, 0, apex) to a circle about the z axis form a cone about it.
 
-    ``radius2`` is the square of the circle's radius, ``height`` its z; ``base`` is another square in the
-    place of the first; ``name`` is the circle's. The cone is (height − apex)²·(x² + y²) =
-    radius2·(z − apex)²: the circle is on it, and with each of its points the line to the apex.
+    ``radius2`` is the square of the circle's radius, and ``height`` its z; ``base`` replaces ``radius2`` in
+    the equation if given; ``name`` is the name of the circle. The cone is (height − apex)²·(x² + y²) =
+    radius2·(z − apex)²: it contains the circle, and for each point of the circle the line to the apex.
     """
 
     def on_cone(x: str, y: str, z: str) -> str:
@@ -40,7 +40,7 @@ def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -
 
 @dataclass(frozen=True)
 class Dividing:
-    """A proposition with numbers that are defined only where the ``primes`` are not 0."""
+    """A proposition with numbers that are defined only if the ``primes`` are nonzero."""
 
     proposition: Proposition
     primes: tuple[int, ...]
@@ -53,11 +53,11 @@ class Dividing:
 
     @property
     def statement(self) -> str:
-        """The proposition, in the vocabulary of certificates."""
+        """The proposition in the vocabulary of certificates."""
         return self.proposition.statement
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it where the numbers exist."""
+        """Decide the proposition where the numbers are defined."""
         if field is not None and field.characteristic in self.primes:
             return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
         return self.proposition.decide(field)
@@ -69,15 +69,18 @@ def second_cone(base: str = "") -> Dividing:
     return Dividing(whole, (2, 3, 5), "Where 2, 3 or 5 is 0, there are no 1/3 and 11/10.")
 
 
-# cos(π/n) = y is the distance from the axis to the middle of a side of the polygon in P₁, and z that
-# for twice as many points. y and 1 − y are squares, and 1 − y is not 0, as n is 2 or more.
+# cos(π/n) = y is the distance from the axis to the middle of a side of the polygon in P₁, and z is
+# this distance for twice as many points. y and 1 − y are squares, and 1 − y is not 0, because n is
+# at least 2.
 HALVED = ("2*z**2 == 1 + y", "y == q[0]**2", "1 - y == q[1]**2")
 GAP = "(q[1]**2 + 2*(q[0]*q[1])**2)"
 POLYGONS = "Inscribed polygons of the real circle are meant."
 
 
 def nearer(sign: str) -> OnlyOver:
-    """Say that z² − y² is GAP/2, and that GAP, or −GAP, is positive: no norm is its negative."""
+    """Return the claim that z² − y² is GAP/2, and that no norm is GAP (or −GAP, with ``sign`` "-"), so that
+    this number is negative.
+    """
     parts = (
         Assertion(f"2*(z**2 - y**2) == {GAP}", HALVED),
         Assertion(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
@@ -86,9 +89,10 @@ def nearer(sign: str) -> OnlyOver:
 
 
 def closed(band: bool) -> Computed:
-    """Say that the two cones, with or without the band that joins them, make one closed surface.
+    """Return the claim that the two cones, with or without the connecting band, form one closed surface.
 
-    A surface is closed if each side of a polygon is the side of one other, met the other way round.
+    A surface is closed if each edge of a polygon is an edge of exactly one other polygon, in the opposite
+    direction.
     """
 
     def check_claim() -> ComputedResult:
@@ -111,7 +115,7 @@ def closed(band: bool) -> Computed:
 
 
 def corners(allowed: tuple[int, ...]) -> Computed:
-    """Say that every polygon has one of these numbers of corners, and each number occurs."""
+    """Return the claim that every polygon has one of these numbers of corners, and each number occurs."""
 
     def check_claim() -> ComputedResult:
         from anim.model import Model

@@ -26,7 +26,7 @@ def axis(cosine: Node, sine: Node) -> Vector:
 
 
 def turned(about: Vector, v: Vector, cosine: Node, sine: Node) -> Vector:
-    """Return ``v`` turned about a vector of length 1: Rodrigues' formula."""
+    """Return ``v`` rotated about a vector of length 1, by Rodrigues' formula."""
     along = scaled(product(difference(ONE, cosine), dot(about, v)), about)
     return plus(plus(scaled(cosine, v), scaled(sine, cross(about, v))), along)
 

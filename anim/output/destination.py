@@ -13,7 +13,7 @@ from hfield.errors import shorten
 
 
 def refuse_early(path: Path, force: bool) -> None:
-    """Raise :class:`AnimationError` if ``path`` exists and is not to be replaced, or cannot be written."""
+    """Raise :class:`AnimationError` if ``path`` exists and must not be replaced, or cannot be written."""
     with _in_one_line(path):
         target = _target(path)
         parent = target.parent
@@ -24,7 +24,7 @@ def refuse_early(path: Path, force: bool) -> None:
                 f"the folder {shorten(parent)!r} cannot be written; choose another"
             )
         with suppress(FileNotFoundError):
-            target.lstat()  # a name that is too long says so here
+            target.lstat()  # raises an error for a name that is too long
         if target.is_dir():
             _refuse_folder(target, force)
         elif target.exists():
@@ -55,8 +55,8 @@ def _is_frame(path: Path) -> bool:
 def file_place(path: Path, force: bool) -> Iterator[Path]:
     """Yield a hidden name beside ``path``; the file written there is renamed to ``path`` at the end.
 
-    A file that has appeared there meanwhile is replaced with ``force`` only. What a run that was killed left
-    there is removed first. Raises :class:`AnimationError`.
+    A file that has appeared at ``path`` in the meantime is replaced only with ``force``. Leftovers of a
+    killed run are removed first. Raises :class:`AnimationError`.
     """
     with _in_one_line(path):
         sweep(_target(path))
@@ -66,15 +66,15 @@ def file_place(path: Path, force: bool) -> Iterator[Path]:
 
 @contextmanager
 def folder_place(path: Path, force: bool) -> Iterator[Path]:
-    """Yield a hidden new folder beside ``path``; it takes the place of an empty one.
+    """Yield a hidden new folder beside ``path``, which replaces an empty folder there at the end.
 
-    With ``force`` it takes the place of old frames too. Raises :class:`AnimationError`.
+    With ``force`` it also replaces old frames. Raises :class:`AnimationError`.
     """
     with _in_one_line(path):
         sweep(_target(path))
         with whole_folder(path, force) as part:
             yield part
-            refuse_early(path, force)  # what has appeared there meanwhile
+            refuse_early(path, force)  # a file that appeared in the meantime
 
 
 def write_text(path: Path, text: str, force: bool) -> None:
@@ -96,8 +96,8 @@ def _in_one_line(path: Path) -> Iterator[None]:
 
 
 def _target(path: Path) -> Path:
-    """Return where a name leads, links followed."""
+    """Return the target of a name, following links."""
     try:
         return path.resolve()
-    except RuntimeError:  # what Python says of links in a circle
+    except RuntimeError:  # Python's error for circular links
         raise AnimationError(f"{shorten(path)!r} is a link to itself; choose another") from None

@@ -1,6 +1,6 @@
-"""Encode raw frames by ffmpeg through a pipe, without keeping them in memory.
+"""Encode raw frames with ffmpeg through a pipe, without keeping them in memory.
 
-The program is the one in imageio-ffmpeg's wheel, or what IMAGEIO_FFMPEG_EXE names.
+The program is the one in imageio-ffmpeg's wheel, or the one named by IMAGEIO_FFMPEG_EXE.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from anim.errors import AnimationError
 from anim.output.format import Film, Format, Pixels, Samples, Write
 
 PIPE_BYTES = 1 << 20
-SECONDS_TO_END = 600  # for what ffmpeg still has to do after the last frame
+SECONDS_TO_END = 600  # for ffmpeg's remaining work after the last frame
 SLOWEST_FPS = 0.01  # a gif shows a picture for eleven minutes at most
 
 
 def ffmpeg() -> str:
-    """Return the path of the program. Raises :class:`AnimationError` where there is none."""
+    """Return the path of the program. Raises :class:`AnimationError` if there is none."""
     with suppress(ImportError, RuntimeError):
         from imageio_ffmpeg import get_ffmpeg_exe
 
@@ -94,9 +94,9 @@ def _feed(
     said: IO[bytes],
     counts_frames: bool,
 ) -> Iterator[Write]:
-    """Yield the function that sends frames; then wait for the end, and see that all frames arrived.
+    """Yield the function that sends frames; then wait for the end, and check that all frames arrived.
 
-    Where the encoder does not count frames, it counts one packet.
+    If the encoder does not count frames, it counts one packet.
     """
     stream = process.stdin
     assert stream is not None

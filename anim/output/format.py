@@ -1,4 +1,4 @@
-"""The description of a film that formats read, and the base class of formats."""
+"""The description of a film for the formats, and the base class of formats."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ Samples = Callable[[], Sequence[Pixels]]
 
 @dataclass(frozen=True)
 class Film:
-    """The size (width, height) in pixels, the number of frames, and how they are to be encoded.
+    """The size (width, height) in pixels, the number of frames, and the encoding options.
 
-    ``crf`` (0 best to 51) is x264's and decides WebP's quality too; ``preset`` is x264's. Raises
-    :class:`AnimationError` for another ``crf``.
+    ``crf`` (0, the best, to 51) is x264's option and also determines the quality of WebP; ``preset`` is
+    x264's option. Raises :class:`AnimationError` for an invalid ``crf``.
 
     >>> Film((640, 480), frames=100, fps=50.0).crf
     18
@@ -40,7 +40,7 @@ class Film:
 
 
 class Format(ABC):
-    """One kind of file: a module of :mod:`anim.output.formats`, named as the suffix."""
+    """A file format: a module of :mod:`anim.output.formats`, named after the suffix."""
 
     @property
     def name(self) -> str:
@@ -49,13 +49,13 @@ class Format(ABC):
 
     @abstractmethod
     def check(self, film: Film) -> None:
-        """Raise :class:`AnimationError` for a film that cannot have this format."""
+        """Raise :class:`AnimationError` for a film that this format does not support."""
 
     @abstractmethod
     def open(
         self, path: Path, film: Film, samples: Samples | None
     ) -> AbstractContextManager[Write]:
-        """Yield a function that takes the frames in order; at the end the file is whole.
+        """Yield a function that takes the frames in order; at the end the file is complete.
 
-        ``samples`` returns some frames from all over the film. Raises :class:`AnimationError`.
+        ``samples`` returns some frames from the whole film. Raises :class:`AnimationError`.
         """

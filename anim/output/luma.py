@@ -1,6 +1,6 @@
-"""Frames as video has them, compiled: a plane of luma and two of chroma, by ITU-R BT.709, studio range.
+"""Convert frames to video planes, compiled: luma and two chroma planes, ITU-R BT.709, studio range.
 
-ffmpeg converts as well, but takes four times as long for it.
+ffmpeg can convert frames too, but takes four times as long.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from anim.compiling import kernel
 Bytes = NDArray[np.uint8]
 F = np.float32  # with wider numbers LLVM takes fewer pixels at a time
 
-# Luma goes over 219 levels from 16 on, chroma over 224 around 128; the half rounds.
+# Luma has 219 levels from 16 on, chroma 224 around 128; the half rounds.
 LUMA = tuple(F(share * 219 / 255) for share in (0.2126, 0.7152, 0.0722))
 BLUE = tuple(F(share * 224 / 255) for share in (-0.2126 / 1.8556, -0.7152 / 1.8556, 0.5))
 RED = tuple(F(share * 224 / 255) for share in (0.5, -0.7152 / 1.5748, -0.0722 / 1.5748))
@@ -22,7 +22,7 @@ BLACK, GREY, QUARTER = F(16.5), F(128.5), F(0.25)
 def planes(frame: Bytes, luma: Bytes, blue: Bytes, red: Bytes) -> None:
     """Write the planes of ``frame`` (height, 3·width).
 
-    Chroma is that of each pixel, or with half as many rows and columns the mean of each block of four.
+    Chroma has the value of each pixel, or with half as many rows and columns the mean of each block of four.
     """
     height, width = luma.shape
     for y in range(height):

@@ -1,4 +1,4 @@
-"""Choose the 256 colours of a gif from sampled frames, so that one pass over the film suffices."""
+"""Choose the 256 colours of a GIF from sampled frames, so that one pass over the film suffices."""
 
 from __future__ import annotations
 
@@ -16,14 +16,15 @@ MAX_COLUMNS = 2_000_000  # pixels looked at
 
 
 def sampled(frames: int) -> list[int]:
-    """Return the numbers of the frames that decide the palette, evenly over the film."""
+    """Return the numbers of the frames from which the palette is made, evenly spaced over the film."""
     return sorted({round(k * (frames - 1) / max(SAMPLES - 1, 1)) for k in range(SAMPLES)})
 
 
 def write_palette(path: Path, frames: Sequence[Pixels]) -> None:
-    """Write the palette of some frames, as a picture of 16 × 16 pixels.
+    """Write the palette of several frames, as a picture of 16 × 16 pixels.
 
-    The commonest colours come in as they are, so that flat surfaces keep theirs; the rest is a median cut.
+    The most frequent colours are included unchanged, so that flat surfaces keep theirs; the rest is chosen by
+    median cut.
     """
     from PIL import Image
 

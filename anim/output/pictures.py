@@ -32,7 +32,7 @@ def open_folder(folder: Path, film: Film) -> Iterator[Write]:
 
 
 def save_png(frame: Pixels, path: Path) -> None:
-    """Write one picture. Raises :class:`AnimationError` when the disk does not take it."""
+    """Write one picture. Raises :class:`AnimationError` if the disk is full or fails."""
     from PIL import Image
 
     try:

@@ -1,4 +1,4 @@
-"""The contact sheet: ten frames of a film in one picture, as figures 3.3 and 3.4 of the thesis."""
+"""The contact sheet: ten frames of a film in one picture, like figures 3.3 and 3.4 of the thesis."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def shown(frames: int) -> list[int]:
 
 
 def sheet(pictures: Sequence[Pixels], numbers: Sequence[int]) -> Pixels:
-    """Return the sheet of ``pictures``, each (height, width, 3), with the number of its frame."""
+    """Return the sheet of ``pictures``, each (height, width, 3), with frame numbers."""
     from PIL import Image, ImageDraw, ImageFont
 
     height, width = pictures[0].shape[:2]

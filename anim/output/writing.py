@@ -1,4 +1,4 @@
-"""Write a film or a picture in the format that the suffix of the file name gives."""
+"""Write a film or a picture in the format given by the suffix of the file name."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class OutputKind(Enum):
 
 
 def suffixes() -> dict[str, OutputKind]:
-    """Return the kind of output of each suffix; a name without suffix is a folder."""
+    """Return the kind of output for each suffix; a name without a suffix is a folder."""
     films = {f".{name}": OutputKind.FILM for name in FORMATS}
     return films | {".html": OutputKind.PAGE, ".png": OutputKind.PICTURE}
 
@@ -48,11 +48,11 @@ def kind_of(path: Path) -> OutputKind:
 
 
 def check(path: Path, film: Film | None, force: bool = False) -> None:
-    """Raise now for an output that would fail at the end; ``film`` is None for a page or one picture.
+    """Raise immediately for an output that would fail at the end; ``film`` is None for a page or one picture.
 
-    Raises :class:`AnimationError` for an unknown suffix or one of no film, a size or pace that the format
-    cannot have, a file that exists (without ``force``), a folder that is missing or cannot be written, and
-    without ffmpeg.
+    Raises :class:`AnimationError` for an unknown suffix or one that is not a film format, a size or rate that
+    the format does not support, an existing file (without ``force``), a folder that is missing or read-only,
+    and if ffmpeg is missing.
     """
     kind, suffix = kind_of(path), path.suffix.lower()
     if film is not None:
@@ -73,9 +73,9 @@ def open_film(
 ) -> Iterator[Write]:
     """Yield a function that takes the frames in order, uint8 (height, width, 3).
 
-    The file comes into place when all frames are in it; after an error there is none. ``samples``
-    returns some frames for the palette of a gif. Raises :class:`AnimationError`, as :func:`check`
-    does, and when the encoder fails or has lost a frame.
+    The file appears when all frames are in it; after an error there is no file. ``samples`` returns some
+    frames for the palette of a GIF. Raises :class:`AnimationError` as :func:`check` does, and if the encoder
+    fails or has lost a frame.
     """
     check(path, film, force)
     if kind_of(path) is OutputKind.FOLDER:

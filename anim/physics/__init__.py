@@ -1,4 +1,4 @@
-"""The top that obeys physics: its inertia, its equations of motion, pinned or free, and their solution."""
+"""Physical tops: inertia, equations of motion (with fixed tip or free), and their solution."""
 
 from anim.physics.films import physical
 from anim.physics.free_top import Contact, FreeTop

@@ -1,4 +1,4 @@
-"""Films of a top that obeys physics, on its tip or free on the ground."""
+"""Films of a physical top, with fixed tip or free on the ground."""
 
 from dataclasses import replace
 from math import hypot, sqrt
@@ -19,11 +19,11 @@ STORY = (
 
 
 def story_of(body: Body, free: bool) -> tuple[Launch, Contact | None]:
-    """Return the launch and the ground of :data:`STORY` in proportion for another body.
+    """Return the launch and the ground of :data:`STORY`, scaled for another body.
 
-    Without ``free`` there is no ground. Two ratios are those of the thesis's top: of the spin to the spin at
-    which the body sleeps upright, and of the tip's radius to the size of the body. The tilt is at most half
-    the tilt at which the rim touches the ground.
+    Without ``free`` there is no ground. Two ratios are those of the thesis's top: the spin relative to the
+    spin at which the body sleeps upright, and the tip's radius relative to the size of the body. The tilt is
+    at most half the tilt at which the rim touches the ground.
     """
     usual = Body.turned(Model().profile)
     launch, contact = STORY if free else (Launch(), None)
@@ -46,8 +46,8 @@ def physical(
 ) -> Motion:
     """Return the film of a heavy symmetric top; by default the thesis's model in metres.
 
-    Its tip stays where it is, unless ``contact`` says how a free top meets the ground. Raises
-    :class:`~anim.errors.AnimationError` where :class:`HeavyTop` and :class:`~anim.physics.FreeTop` do.
+    The tip is fixed, unless ``contact`` describes how a free top touches the ground. Raises
+    :class:`~anim.errors.AnimationError` as :class:`HeavyTop` and :class:`~anim.physics.FreeTop` do.
 
     >>> from anim import clip
     >>> physical(clip(frames=50)).frames

@@ -1,4 +1,4 @@
-"""The motion of a top that is free on the ground: it slips, rises, sleeps, falls and rolls out."""
+"""The motion of a free top on the ground: it slips, rises, sleeps, falls and rolls to rest."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -58,11 +58,11 @@ class Contact:
 
 @dataclass(frozen=True)
 class FreeTop(Stepped):
-    """A body on the ground, launched, and followed for ``seconds``: the sampler of its motion.
+    """A body launched on the ground and followed for ``seconds``; the sampler of its motion.
 
-    It starts upon its tip, whose ball is at rest in the middle; the launch's decay times are those of the air
-    alone. Raises :class:`~anim.errors.AnimationError` for a body without outline, a tilt at which the rim is
-    in the ground, and a motion of more than 20 million steps.
+    It starts on its tip, with the centre of the tip's ball at rest; the launch's decay times describe air
+    resistance only. Raises :class:`~anim.errors.AnimationError` for a body without outline, a tilt at which
+    the rim is below the ground, and a motion of more than 20 million steps.
     """
 
     body: Body
@@ -97,12 +97,14 @@ class FreeTop(Stepped):
 
     @property
     def pull(self) -> float:
-        """The gravity in m/s² after which ground and steps are made: that of Earth, or more."""
+        """The gravity in m/s² that determines the ground's stiffness and the steps: that of Earth,
+        or more.
+        """
         return max(STANDARD, self.launch.gravity)
 
     @property
     def central(self) -> float:
-        """The moment of inertia about an axis through the centre of mass, perpendicular to the top's."""
+        """The moment of inertia about an axis through the centre of mass, perpendicular to the top's axis."""
         return self.body.transverse - self.body.mass * self.body.height**2
 
     @property
@@ -114,10 +116,10 @@ class FreeTop(Stepped):
     def sleeping_spin(self) -> float:
         """The spin in rad/s above which the upright top is stable; infinite if there is none.
 
-        With friction it rests where energy is least for its Jellett invariant, if
-        n² > mg(l − ρ)l²/ρ(I₃l − I₁ρ), I₁ about the centre of mass (N. Bou-Rabee, J. Marsden and L. Romero,
-        "Tippe top inversion as a dissipation-induced instability", SIAM Journal on Applied Dynamical
-        Systems 3, 2004). Without friction it slides about its centre: n² > 4mg(l − ρ)I₁/I₃².
+        With friction the top rests where its energy is least for its Jellett invariant: upright if n² > mg(l
+        − ρ)l²/ρ(I₃l − I₁ρ), with I₁ about the centre of mass (N. Bou-Rabee, J. Marsden and L. Romero, "Tippe
+        top inversion as a dissipation-induced instability", SIAM Journal on Applied Dynamical Systems 3,
+        2004). Without friction it slides about its centre, and the condition is n² > 4mg(l − ρ)I₁/I₃².
         """
         body, ball = self.body, self.contact.radius
         weight = body.mass * self.launch.gravity * self.lever
@@ -148,7 +150,7 @@ class FreeTop(Stepped):
 
     @property
     def friction_rate(self) -> float:
-        """The rate in s⁻¹ at which friction damps slip: at most μg/ε·(1 + ms²/I)."""
+        """The rate in s⁻¹ at which friction damps slipping: at most μg/ε·(1 + ms²/I)."""
         i1, i3 = self.central / self.body.mass, self.body.axial / self.body.mass
         radius, height, rounding = self.edges.T
         out = (radius + rounding) ** 2
@@ -185,12 +187,12 @@ class FreeTop(Stepped):
             CREEP * pace,
             contact.rolling,
         )
-        # A whole number among them would be another signature.
+        # An integer among them would change the signature.
         return Ground(*map(float, constants))
 
     @property
     def start(self) -> Floats:
-        """The state at the start, (14,), as :mod:`anim.physics.free_top_equations` has them."""
+        """The initial state, (14,), in the format of :mod:`anim.physics.free_top_equations`."""
         tilt, rate = self.launch.tilt, self.launch.precession
         attitude = attitude_of(self.launch)
         velocity = np.array([-rate * sin(tilt), 0.0, self.spin])
@@ -204,7 +206,7 @@ class FreeTop(Stepped):
 
     @cached_property
     def landed(self) -> float | None:
-        """When the rim first touches the ground, in s; None if it does not while the film lasts."""
+        """The time in s at which the rim first touches the ground; None if it does not during the film."""
         landed = self._followed[1]
         return landed if landed >= 0 else None
 
@@ -223,13 +225,15 @@ class FreeTop(Stepped):
         return self.states(times)[:, :4]
 
     def places(self, times: Floats) -> Floats:
-        """Return where the outline's first point is (n, 3) at instants (n,), in the outline's unit."""
+        """Return the positions (n, 3) of the outline's first point at instants (n,), in the
+        outline's unit.
+        """
         states = self.states(times)
         axes = np.asarray(to_matrix(states[:, :4]))[:, :, 2]
         return np.asarray((states[:, 7:10] - self.body.height * axes) / self.body.unit)
 
     def energies(self, states: Floats) -> Floats:
-        """Return kinetic, potential and elastic energies together (n,) of states (n, 14), in J."""
+        """Return the sum of kinetic, potential and elastic energy (n,) of states (n, 14), in J."""
         turning = states[:, 4:7] ** 2 @ [self.central, self.central, self.body.axial]
         moving = np.sum(states[:, 10:13] ** 2, axis=1)
         pressed = 0.4 * self.ground.stiffness * np.sum(self._depths(states) ** 2.5, axis=1)
@@ -237,20 +241,20 @@ class FreeTop(Stepped):
         return np.asarray(turning / 2 + self.body.mass * per_mass)
 
     def losses(self, states: Floats) -> Floats:
-        """Return the energy that friction, air and impacts have taken (n,) up to states (n, 14), in J."""
+        """Return the energy lost to friction, air and impacts (n,) up to states (n, 14), in J."""
         return np.asarray(self.body.mass * states[:, 13])
 
     def momenta(self, states: Floats) -> Floats:
-        """Return the angular momenta about the centre of mass as vectors of space (n, 3), in kg·m²/s."""
+        """Return the angular momenta about the centre of mass as vectors in space (n, 3), in kg·m²/s."""
         own = states[:, 4:7] * [self.central, self.central, self.body.axial]
         return np.asarray(np.einsum("nij,nj->ni", to_matrix(states[:, :4]), own))
 
     def jellett(self, states: Floats) -> Floats:
         """Return Jellett's invariant (n,) of states (n, 14), in kg·m³/s.
 
-        It is −L·s, with s from the centre of mass to the contact, and stays whatever the friction, as long as
-        the tip alone is on the ground, without air and rolling resistance (J. H. Jellett, A Treatise on the
-        Theory of Friction, 1872).
+        It is −L·s, where s is the vector from the centre of mass to the contact. It is conserved for any
+        friction, as long as only the tip touches the ground and there is no air or rolling resistance (J. H.
+        Jellett, A Treatise on the Theory of Friction, 1872).
         """
         axes = np.asarray(to_matrix(states[:, :4]))[:, :, 2]
         arms = self.lever * axes + [0.0, 0.0, self.contact.radius]
@@ -267,7 +271,7 @@ class FreeTop(Stepped):
         return kept, landed
 
     def _depths(self, states: Floats) -> Floats:
-        """Return how deep each of the edges is in the ground, (n, k)."""
+        """Return how deep each edge is in the ground, (n, k)."""
         up = np.asarray(to_matrix(states[:, :4]))[:, 2, 2][:, None]
         radius, height, rounding = self.edges.T
         low = height * up - radius * np.sqrt(np.maximum(0, 1 - up * up)) - rounding

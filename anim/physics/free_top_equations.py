@@ -1,11 +1,12 @@
 """Equations of motion of a free top on the ground: it slips, rises, falls and rolls on its rim.
 
-No point is fixed. Where the outline's corners, each a circle rounded by a radius, sink below z = 0 by δ, the
-ground presses with N = κδ^(3/2)(1 + cδ̇) (H. Hertz 1882; K. H. Hunt and F. R. E. Crossley, "Coefficient of
-restitution interpreted as damping in vibroimpact", Journal of Applied Mechanics 42, 1975), rubs with
-μN·v/√(v² + ε²) against the slip v, and resists turning by a couple of the arm `rolling`. All is divided by
-the mass. A state (14,) is the attitude q, ω in the body's axes, the centre of mass and its velocity in
-space, and the energy that was lost so far. Steps are Kutta's classical ones of fourth order.
+No point is fixed. The outline's corners are circles rounded by a radius. Where one sinks below z = 0 by δ,
+the ground exerts a normal force N = κδ^(3/2)(1 + cδ̇) (H. Hertz 1882; K. H. Hunt and F. R. E. Crossley,
+"Coefficient of restitution interpreted as damping in vibroimpact", Journal of Applied Mechanics 42, 1975),
+friction μN·v/√(v² + ε²) against the slip velocity v, and a couple with arm `rolling` against turning.
+Everything is divided by the mass. A state (14,) consists of the attitude q, ω in body axes, the centre of
+mass and its velocity in space, and the energy lost so far. Steps use the classical Runge–Kutta method of
+fourth order.
 """
 
 from math import ceil, sqrt
@@ -33,7 +34,7 @@ def workspace() -> Floats:
 
 
 class Ground(NamedTuple):
-    """The constants of the motion; moments, stiffness and energies are over the mass."""
+    """The constants of the motion; moments, stiffness and energies are divided by the mass."""
 
     transverse: float
     """I₁ about the centre of mass, in m²."""
@@ -58,8 +59,9 @@ class Ground(NamedTuple):
 def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
     """Write the derivative of the state ``y`` into ``out``; ``edges`` (k, 3) are radius, height, rounding.
 
-    Return an estimate of the rate at which friction ends slip and spin, in s⁻¹. For slip it is the force over
-    the slip, times the inverse of the effective mass at the contact, at most 1/m + s²/I.
+    Return an estimate of the rate, in s⁻¹, at which friction ends slipping and spinning. For slipping it is
+    the force divided by the slip velocity, times the inverse of the effective mass at the contact, which is
+    at most 1/m + s²/I.
     """
     i1, i3, gravity, tumbling, spinning, stiffness, damping, friction, creep, rolling = ground
     a, b, c, d = y[0], y[1], y[2], y[3]
@@ -77,7 +79,7 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
     for k in range(len(edges)):
         radius, height, rounding = edges[k, 0], edges[k, 1], edges[k, 2]
         if radius > 0 and side < 1e-9:
-            continue  # level: the whole circle is equally low, and none of it is on the ground
+            continue  # upright: all points of the circle are equally low, and none is on the ground
         out_of_axis = radius / side if radius > 0 else 0.0
         s1, s2 = -(out_of_axis + rounding) * g1, -(out_of_axis + rounding) * g2
         s3 = height - rounding * g3
@@ -135,10 +137,10 @@ def changes_contact(y: Floats, h: float, edges: Floats) -> bool:
 
 @called
 def advance(y: Floats, h: float, work: Floats, edges: Floats, ground: Ground) -> None:
-    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``work`` (6, 14) is overwritten.
+    """Advance the state ``y`` (14,) by ``h`` seconds, in place; ``work`` (6, 14) is overwritten.
 
-    Where friction is stiff it is done in parts, each no longer than STIFF over its rate; in FINER parts or
-    more where a contact begins or ends, as the ground's force is not smooth there.
+    If friction is stiff the step is divided into parts no longer than STIFF over its rate, and into at least
+    FINER parts if a contact begins or ends, because the ground's force is not smooth there.
     """
     parts = max(1, ceil(h * slope(y, work[0], edges, ground) / STIFF))
     if changes_contact(y, h, edges):
@@ -161,7 +163,7 @@ def advance(y: Floats, h: float, work: Floats, edges: Floats, ground: Ground) ->
 
 @called
 def down(y: Floats, edges: Floats) -> bool:
-    """Return whether an edge other than the tip, the first, touches the ground."""
+    """Return whether an edge other than the first (the tip) touches the ground."""
     g3 = 1 - 2 * (y[1] * y[1] + y[2] * y[2])
     side = sqrt(max(0.0, 1 - g3 * g3))
     for k in range(1, len(edges)):
@@ -180,7 +182,7 @@ def follow(
     ground: Ground,
     work: Floats,
 ) -> float:
-    """Write ``states`` (steps // every + 1, 14) from ``start`` on; return when the rim touched first, or −1.
+    """Write ``states`` (steps // every + 1, 14) from ``start``; return when the rim first touched, or −1.
 
     ``work`` (6, 14) is overwritten.
     """
@@ -208,9 +210,10 @@ def meet(
     ground: Ground,
     work: Floats,
 ) -> None:
-    """Write the states ``found`` (n, 14) at ``times`` (n,), each from the last kept before it.
+    """Write the states ``found`` (n, 14) at ``times`` (n,), each computed from the last stored state before
+    it.
 
-    ``states`` are ``spacing`` apart; ``work`` (6, 14) is overwritten.
+    The stored ``states`` are ``spacing`` apart; ``work`` (6, 14) is overwritten.
     """
     for n in range(len(times)):
         last = min(int(times[n] / spacing), len(states) - 1)

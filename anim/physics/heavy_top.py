@@ -1,4 +1,6 @@
-"""The heavy top on its tip: launched, and followed to the film's end or until its rim touches the ground."""
+"""The heavy top with fixed tip: launched, and followed to the film's end or until its rim touches
+the ground.
+"""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -24,10 +26,10 @@ ACCURACY = 0.02
 
 @dataclass(frozen=True)
 class HeavyTop(Stepped):
-    """A body on its tip, launched, and followed for ``seconds``: the sampler of its motion.
+    """A body launched on its fixed tip and followed for ``seconds``; the sampler of its motion.
 
-    Raises :class:`~anim.errors.AnimationError` for a tilt beyond that at which the rim is on the ground, and
-    for a motion of more than 20 million steps.
+    Raises :class:`~anim.errors.AnimationError` for a tilt beyond the one at which the rim touches the ground,
+    and for a motion of more than 20 million steps.
     """
 
     body: Body
@@ -44,7 +46,7 @@ class HeavyTop(Stepped):
 
     @property
     def torque(self) -> float:
-        """The greatest torque of gravity about the tip, mgl, in N·m."""
+        """The maximal torque of gravity about the tip, mgl, in N·m."""
         return self.body.mass * self.launch.gravity * self.body.height
 
     @property
@@ -59,7 +61,7 @@ class HeavyTop(Stepped):
 
     @property
     def longest_step(self) -> float:
-        """The longest step in s: ACCURACY over the greatest rate, of nutation, swing, fall or decay."""
+        """The longest step in s: ACCURACY divided by the greatest rate (nutation, swing, fall or decay)."""
         body, launch = self.body, self.launch
         fastest = max(
             abs(self.spin) * body.axial / body.transverse,
@@ -72,18 +74,18 @@ class HeavyTop(Stepped):
 
     @property
     def start(self) -> Floats:
-        """The state at the start, (7,): attitude, and the angular velocity in the body's axes."""
+        """The initial state, (7,): attitude, and angular velocity in body axes."""
         velocity = [-self.launch.precession * sin(self.launch.tilt), 0.0, self.spin]
         return np.concatenate([attitude_of(self.launch), velocity])
 
     @cached_property
     def landed(self) -> float | None:
-        """When the rim touches the ground, in s; None if it does not while the film lasts."""
+        """The time in s at which the rim touches the ground; None if it does not during the film."""
         landed = self._followed[1]
         return landed if 0 <= landed <= self.seconds else None
 
     def states(self, times: Floats) -> Floats:
-        """Return the states (n, 7) at instants (n,): attitudes and angular velocities in the body's axes."""
+        """Return the states (n, 7) at instants (n,): attitudes and angular velocities in body axes."""
         from anim.physics.heavy_top_equations import visit_compiled
 
         kept, landed = self._followed
@@ -112,7 +114,7 @@ class HeavyTop(Stepped):
 
     @property
     def rates(self) -> "Rates":
-        """The constants in the equations of motion: torque, losses, and where the rim touches."""
+        """The constants in the equations of motion: torque, losses, and the tilt at which the rim touches."""
         from anim.physics.heavy_top_equations import Rates
 
         body, launch = self.body, self.launch
@@ -126,7 +128,7 @@ class HeavyTop(Stepped):
 
     @cached_property
     def _followed(self) -> tuple[Floats, float]:
-        """The states after every EVERY steps, and when the rim touched, or −1."""
+        """The states after every EVERY steps, and the time at which the rim touched, or −1."""
         from anim.physics.heavy_top_equations import run_compiled
 
         kept = np.empty((self.steps // EVERY + 1, 7))

@@ -1,14 +1,14 @@
 """Integrate the heavy symmetric top in steps, compiled or in plain Python from the same source.
 
-The state is the attitude q, a unit quaternion, and the angular velocity ω in the body's axes. With
-Γ = R⁻¹e_z, the vertical seen from the body,
+The state is the attitude q, a unit quaternion, and the angular velocity ω in body axes. Let Γ = R⁻¹e_z be the
+vertical in body axes. Then
 
     q̇ = ½qω,   I₁ω̇₁ = (I₁ − I₃)ω₂ω₃ + mgl·Γ₂ − k₁ω₁,   I₁ω̇₂ = (I₃ − I₁)ω₃ω₁ − mgl·Γ₁ − k₁ω₂,   I₃ω̇₃ = −k₃ω₃.
 
-Friction alone, gravity alone (the attitude stays) and the free top are each followed exactly. Their
-symmetric composition is of second order; three of those, with Yoshida's steps, of fourth (H. Yoshida,
-"Construction of higher order symplectic integrators", Physics Letters A 150, 1990). Without friction the
-whole is symplectic and keeps L_z and ω₃ to rounding.
+The flows of friction alone, of gravity alone (with constant attitude) and of the free top are each computed
+exactly. Their symmetric composition has second order; three of these with Yoshida's steps have fourth order
+(H. Yoshida, "Construction of higher order symplectic integrators", Physics Letters A 150, 1990). Without
+friction the method is symplectic and preserves L_z and ω₃ up to rounding.
 """
 
 from math import cos, exp, sin, sqrt
@@ -51,7 +51,7 @@ called(conjugate)
 
 @called
 def vertical(q: Four) -> Three:
-    """Return Γ, the unit vector upwards in the body's axes: the vector part of q̄·k·q."""
+    """Return Γ, the upward unit vector in body axes: the vector part of q̄·k·q."""
     half = multiply(HAMILTON, conjugate(HAMILTON, q), (0.0, 0.0, 0.0, 1.0))
     _, x, y, z = multiply(HAMILTON, half, q)
     return x, y, z
@@ -59,7 +59,7 @@ def vertical(q: Four) -> Three:
 
 @called
 def rotor(x: float, y: float, z: float) -> Four:
-    """Return the quaternion of the turn by the rotation vector (x, y, z)."""
+    """Return the quaternion of the rotation vector (x, y, z)."""
     angle = sqrt(x * x + y * y + z * z)
     half = angle / 2
     ratio = 0.5 - half * half / 12 if half < 1e-4 else sin(half) / angle
@@ -68,7 +68,9 @@ def rotor(x: float, y: float, z: float) -> Four:
 
 @called
 def second_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
-    """Return the state after ``h`` seconds: half friction, half gravity, free top, gravity, friction."""
+    """Return the state after ``h`` seconds: half friction, half gravity, free top, half gravity, half
+    friction.
+    """
     shape, gravity, tumbling, spinning, _ = rates
     w1, w2, w3 = w
     across, along = exp(-tumbling * h / 2), exp(-spinning * h / 2)
@@ -90,7 +92,7 @@ def second_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three
 
 @called
 def fourth_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
-    """Return the state after ``h`` seconds by Yoshida's composition, the quaternion of norm 1."""
+    """Return the state after ``h`` seconds by Yoshida's composition, with a quaternion of norm 1."""
     q, w = second_order(q, w, OUTER * h, rates)
     q, w = second_order(q, w, INNER * h, rates)
     q, w = second_order(q, w, OUTER * h, rates)
@@ -101,7 +103,7 @@ def fourth_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three
 
 @called
 def touching(q: Four, w: Three, h: float, rates: Rates) -> float:
-    """Return when, within ``h`` seconds, the tilt reaches the floor, by halving the time."""
+    """Return the time within ``h`` seconds at which the tilt reaches the floor, by bisection."""
     before, after = 0.0, h
     for _ in range(HALVINGS):
         middle = (before + after) / 2
@@ -114,9 +116,9 @@ def touching(q: Four, w: Three, h: float, rates: Rates) -> float:
 
 
 def run(states: Floats, start: Floats, h: float, steps: int, every: int, rates: Rates) -> float:
-    """Write ``states`` (steps // every + 1, 7) from ``start`` (7,) on; return when the rim touched, or −1.
+    """Write ``states`` (steps // every + 1, 7) from ``start`` (7,); return when the rim touched, or −1.
 
-    A state is (w, x, y, z, ω₁, ω₂, ω₃). From the touch on the top rests where it fell.
+    A state is (w, x, y, z, ω₁, ω₂, ω₃). After the touch the top stays where it fell.
     """
     q = (start[0], start[1], start[2], start[3])
     w = (start[4], start[5], start[6])
@@ -147,9 +149,10 @@ def visit(
     landed: float,
     rates: Rates,
 ) -> None:
-    """Write the states ``found`` (n, 7) at ``times`` (n,), each from the last kept before it.
+    """Write the states ``found`` (n, 7) at ``times`` (n,), each computed from the last stored state before
+    it.
 
-    ``states`` are ``spacing`` apart; ``landed`` is when the rim touches, infinite if it does not.
+    The stored ``states`` are ``spacing`` apart; ``landed`` is the time at which the rim touches, or infinity.
     """
     for n in range(len(times)):
         moment = min(times[n], landed)

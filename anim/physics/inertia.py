@@ -1,4 +1,4 @@
-"""The top as a rigid body: mass, centre and moments of inertia of a solid of revolution of one density."""
+"""The top as a rigid body: mass, centre and moments of inertia of a homogeneous solid of revolution."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ Profile = Sequence[tuple[float, float]]
 
 # The thesis's unit of length in m. A top of this size spins slowly enough for 50 frames a second to show.
 SCALE = 0.5
-# What mass and moments of inertia exceed, and their inverses too, so that products of three stay numbers.
+# Lower bound for mass, moments of inertia and their inverses, so that products of three are floats.
 MIN_MAGNITUDE = 1e-90
 # The largest distance between the outline and the corners that may touch the ground, relative to the extent.
 CONTACT_TOLERANCE = 1e-3
@@ -23,7 +23,7 @@ CONTACT_TOLERANCE = 1e-3
 
 @dataclass(frozen=True)
 class Body:
-    """The mass, moments of inertia and centre of mass of a top whose tip is fixed. SI units.
+    """The mass, moments of inertia about the tip and centre of mass of a top. SI units.
 
     >>> from anim import Model
     >>> Body.turned(Model().profile).mass
@@ -53,12 +53,13 @@ class Body:
         mass: float | None = None,
         density: float | None = None,
     ) -> "Body":
-        """Return the solid whose outline is ``profile``, pairs ``(radius, z)`` from the tip at (0, 0) up.
+        """Return the solid with the outline ``profile``, pairs ``(radius, z)`` from the tip at (0, 0)
+        upwards.
 
-        ``scale`` is the length of the profile's unit in m. Give the ``mass`` in kg or the ``density`` in
-        kg/m³; without either the mass is 1 kg. The moments are integrals of the polynomials r², z·r², r⁴
-        and z²·r² over each frustum, in closed form. Raises :class:`~anim.errors.AnimationError`
-        for both, for a value that is not positive, and for an outline without volume above the ground. A body
+        ``scale`` is the length of the profile's unit in m. Give either the ``mass`` in kg or the ``density``
+        in kg/m³; with neither, the mass is 1 kg. The moments are integrals of the polynomials r², z·r², r⁴
+        and z²·r² over each frustum, in closed form. Raises :class:`~anim.errors.AnimationError` if both are
+        given, for a value that is not positive, and for an outline without volume above the ground. A body
         with a flat base has ``reach`` 0: it cannot lean on its tip.
         """
         if mass is not None and density is not None:
@@ -70,7 +71,7 @@ class Body:
         else:
             weight = real("mass", 1.0 if mass is None else mass, above=0)
         unit = weight / volume
-        square = size * size  # not a power, which refuses what is too large
+        square = size * size  # not **, which raises an error for large numbers
         moments = unit * square * axial, unit * square * equatorial
         if not (
             min(weight, *moments) > MIN_MAGNITUDE and max(weight, *moments) < 1 / MIN_MAGNITUDE
@@ -85,10 +86,10 @@ class Body:
 
 
 def reach(profile: Profile) -> float:
-    """Return the tilt in radians at which the solid, tip on the ground, touches it a second time.
+    """Return the tilt in radians at which the solid, with its tip on the ground, touches the ground again.
 
-    Tilted by θ, the lowest point of the circle of radius r at height z is at z·cos θ − r·sin θ. A solid that
-    stands on a flat base does so at 0.
+    At tilt θ the lowest point of the circle of radius r at height z is at z·cos θ − r·sin θ. For a solid with
+    a flat base the result is 0.
 
     >>> round(reach([(0, 0), (1, 1), (0.2, 1.1), (0, 3)]) / pi, 6)
     0.25

@@ -14,11 +14,11 @@ from rotation.quaternions import product
 Floats = NDArray[np.float64]
 
 MAX_STEPS = 20_000_000
-EVERY = 32  # steps from one kept state to the next
+EVERY = 32  # steps between stored states
 
 
 class Stepped:
-    """A motion of ``seconds`` that is integrated in equal steps, none longer than ``longest_step``."""
+    """A motion of ``seconds`` integrated in equal steps, none longer than ``longest_step``."""
 
     seconds: float
 
@@ -34,7 +34,7 @@ class Stepped:
 
     @property
     def step(self) -> float:
-        """Their length in s."""
+        """The length of a step in s."""
         return self.seconds / self.steps
 
     def refuse_long(self) -> None:
@@ -51,8 +51,8 @@ class Stepped:
 class Launch:
     """The initial state of a top, and the forces that slow it down. SI units.
 
-    Raises :class:`~anim.errors.AnimationError` for what is not a number, for a negative tilt or gravity, and
-    for decay times that are not positive.
+    Raises :class:`~anim.errors.AnimationError` for anything but numbers, a negative tilt or gravity, and
+    decay times that are not positive.
 
     >>> Launch(tilt=0.2).tilt
     0.2
@@ -91,7 +91,7 @@ class Launch:
 
 
 def attitude_of(launch: Launch) -> Floats:
-    """Return the attitude (4,) at the start: leaning, then turned to its heading."""
+    """Return the initial attitude (4,): tilted, then rotated to its heading."""
     tilt, heading = launch.tilt, launch.heading
     turn = np.array([cos(heading / 2), 0.0, 0.0, sin(heading / 2)])
     return np.asarray(product(turn, np.array([cos(tilt / 2), 0.0, sin(tilt / 2), 0.0])))

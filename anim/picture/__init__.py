@@ -1,4 +1,4 @@
-"""Pictures of the top: a camera, three styles, the apex's trace and the shadow on the ground.
+"""Pictures of the top: a camera, three styles, the apex's path and the shadow on the ground.
 
 >>> from anim.model import Model
 >>> from anim.picture import RenderSettings, painter
@@ -9,5 +9,5 @@
 
 import lazy_loader
 
-# The public names are said once, in the stub beside this file, and imported on first use.
+# The public names are listed once, in the stub next to this file, and imported on first use.
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,7 +1,7 @@
 """A reusable canvas over matplotlib's Agg renderer.
 
-No figure, no axes, no artists: outlines go straight to the renderer, and before each picture only the
-pixels touched by the last one are put back from the background.
+There are no figures, axes or artists: outlines are passed directly to the renderer, and before each picture
+only the pixels changed by the previous picture are restored from the background.
 """
 
 from collections.abc import Sequence
@@ -49,9 +49,9 @@ class Canvas(Surface):
     def fill(
         self, loops: Sequence[Floats], colour: RGB, opacity: float = 1.0, touched: bool = False
     ) -> None:
-        """Fill closed polygons (k, 2) together, by the nonzero winding rule.
+        """Fill several closed polygons (k, 2) together, by the nonzero winding rule.
 
-        ``touched`` says that :meth:`touch` was called for them already.
+        ``touched`` means that :meth:`touch` has already been called for them.
         """
         path = _path(loops)
         if not touched:
@@ -61,14 +61,14 @@ class Canvas(Surface):
         self._renderer.draw_path(self._context, path, self._identity, face)
 
     def touch(self, points: Floats, width: float) -> Box:
-        """Mark the box around ``points`` (k, 2) as drawn; return it: left, top, right, bottom."""
+        """Mark the bounding box of ``points`` (k, 2) as drawn; return it: left, top, right, bottom."""
         box = super().touch(points, width)
         t = self._touched
         self._touched = (min(t[0], box[0]), min(t[1], box[1]), max(t[2], box[2]), max(t[3], box[3]))
         return box
 
     def rgb(self) -> Pixels:
-        """Return a fresh copy of the picture, (height, width, 3)."""
+        """Return a new copy of the picture, (height, width, 3)."""
         from anim.picture.lines import opaque
 
         picture = self._background.copy()
@@ -77,12 +77,12 @@ class Canvas(Surface):
 
 
 def _path(lines: Sequence[Floats]) -> Any:
-    """Return one path of Agg's through all the lines, a new start for each."""
+    """Return one Agg path through all the lines, starting anew for each."""
     from matplotlib.path import Path
 
     points = np.concatenate(lines)
     codes = np.full(len(points), Path.LINETO, dtype=Path.code_type)
     codes[np.cumsum([0, *map(len, lines[:-1])])] = Path.MOVETO
     path = Path(points, codes)
-    path.should_simplify = False  # whatever a user's settings say
+    path.should_simplify = False  # whatever the user's settings are
     return path

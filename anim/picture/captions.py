@@ -36,7 +36,7 @@ GAP = "     "
 
 
 def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, ...]:
-    """Return lines with the formula of a motion, its tilt in degrees and its spin in rad/s.
+    """Return caption lines: the formula of a motion, the tilt in degrees and the spin in rad/s.
 
     >>> caption("pl", "product", 12.34, 5.0)
     ('x ↦ (q₂q₁) x (q₂q₁)⁻¹', 'pochylenie 12,3°', 'wirowanie 5,0 rad/s')
@@ -48,9 +48,9 @@ def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, 
 
 
 def strip(size: tuple[int, int], language: str, motion: str) -> int:
-    """Return how high a strip for the captions is at the top of a picture of ``size`` (width, height).
+    """Return the height of a caption strip for a picture of ``size`` (width, height).
 
-    Raises :class:`~anim.errors.AnimationError` where they take more than half of a picture.
+    Raises :class:`~anim.errors.AnimationError` if it takes more than half of the picture.
     """
     letters = _letters(size)
     rows = _rows(size, caption(language, motion, *WIDEST))
@@ -66,9 +66,9 @@ def strip(size: tuple[int, int], language: str, motion: str) -> int:
 def captioned(
     picture: Pixels, said: tuple[str, ...], widest: tuple[str, ...], height: int, paper: RGB
 ) -> Pixels:
-    """Return a picture (height, width, 3) with a strip of ``paper`` above it that has the caption.
+    """Return a picture (height, width, 3) with a caption strip of colour ``paper`` above it.
 
-    The lines are laid out as those of ``widest`` are, so that they stay where they are from frame to frame.
+    The lines are laid out like those of ``widest``, so that they do not move from frame to frame.
     """
     from PIL import Image, ImageDraw
 
@@ -89,7 +89,7 @@ def _letters(size: tuple[int, int]) -> int:
 def _rows(
     size: tuple[int, int], widest: tuple[str, ...], said: tuple[str, ...] | None = None
 ) -> list[str]:
-    """Return lines as rows, as few as fit: all in one, or each alone, a formula in parts at its comma."""
+    """Return lines as rows, as few as fit: all in one row, or one each, a formula split at its comma."""
     letters = _letters(size)
     width, font = size[0] - 2 * letters, _font(letters)
     shown = widest if said is None else said

@@ -17,7 +17,7 @@ Light = NDArray[np.float32]
 
 @cache
 def environment() -> dict[str, Any]:
-    """Return the description of the environment, table by table.
+    """Return the description of the environment, as a dict of tables.
 
     >>> environment()["paper"]["light"]
     '#e9ecef'
@@ -26,13 +26,13 @@ def environment() -> dict[str, Any]:
 
 
 def darkness(paper: RGB) -> float:
-    """Return how dark a paper is: 0 for light paper, 1 for dark, smoothly in between."""
+    """Return the darkness of a paper: 0 for light paper, 1 for dark, smoothly in between."""
     t = min(1.0, max(0.0, (paper[1] / 255 - 0.2) / 0.4))
     return 1 - t * t * (3 - 2 * t)
 
 
 def of_darkness(table: str, name: str, dark: float) -> float:
-    """Return a number of the environment, interpolated for a paper of this darkness."""
+    """Return a number of the environment, interpolated for a paper of darkness ``dark``."""
     light, other = float(environment()[table][name]), float(environment()["dark"][name])
     return light + dark * (other - light)
 
@@ -46,7 +46,7 @@ def trace_of(paper: RGB) -> RGB:
 
 
 def ground(view: View, settings: RenderSettings, paper: RGB) -> Light:
-    """Return the empty ground and what is behind it, float32 (height, width, 3), from 0 to 255."""
+    """Return the empty ground and the background behind it, float32 (height, width, 3), from 0 to 255."""
     from anim.picture.ground_kernels import lit_ground
 
     width, height = settings.size
@@ -64,7 +64,7 @@ def ground(view: View, settings: RenderSettings, paper: RGB) -> Light:
 
 
 def to_ground(view: View, height: int) -> Floats:
-    """Return the map (3, 3) of pixels, y downwards, onto the ground: (x, y, 1) over the depth."""
+    """Return the map (3, 3) from pixels, y downwards, to the ground: (x, y, 1) divided by the depth."""
     rows = view.matrix[np.ix_([0, 1, 3], [0, 1, 3])]
     flip = np.array([[1.0, 0, 0], [0, -1, height], [0, 0, 1]])
     if abs(np.linalg.det(rows)) < 1e-9 * np.abs(rows).max() ** 2:  # seen from its side
@@ -73,7 +73,7 @@ def to_ground(view: View, height: int) -> Floats:
 
 
 def direction(camera: Camera) -> Floats:
-    """Return the unit vector (3,) towards the light, which is far away."""
+    """Return the unit vector (3,) towards the distant light."""
     a = np.radians(camera.azimuth + environment()["light"]["aside"])
     e = np.radians(environment()["light"]["height"])
     return np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])

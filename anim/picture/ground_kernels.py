@@ -1,10 +1,10 @@
-"""Compiled loops that draw the ground in the light: empty, and with the soft shadow that the top throws.
+"""Compiled loops that draw the lit ground: empty, and with the soft shadow of the top.
 
-A ray from the ground to the light meets one of the top's cones or passes it; where it comes deepest or
-nearest is known in closed form. The edge is the softer the farther that is, as under a light of some
-width. What is near the top is darker besides: less of the sky is seen there.
+A ray from the ground to the light meets one of the top's cones or misses it; the point of deepest penetration
+or nearest approach is known in closed form. The farther this point, the softer the edge, as under an extended
+light source. The ground near the top is darker as well, because less of the sky is visible from there.
 
-``environment``, ``lit_surface`` and ``soft_shadow`` decide what is drawn and call these loops.
+``environment``, ``lit_surface`` and ``soft_shadow`` call these loops.
 """
 
 import math
@@ -28,7 +28,9 @@ def smoothstep(low: float, high: float, x: float) -> float:
 
 @called
 def noise(x: int, y: int) -> float:
-    """Return interleaved gradient noise in [0, 1) (J. Jimenez 2014), which hides steps of 8 bits."""
+    """Return interleaved gradient noise in [0, 1) (J. Jimenez 2014), which hides the steps of 8-bit
+    colours.
+    """
     grain = x * 0.06711056 + y * 0.00583715
     grain = 52.9829189 * (grain - math.floor(grain))
     return grain - math.floor(grain)
@@ -38,7 +40,7 @@ def noise(x: int, y: int) -> float:
 def lit_ground(
     picture: Light, to_ground: Floats, paper: Floats, dark: float, numbers: Floats, above: bool
 ) -> None:
-    """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
+    """Draw the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
     near, far, shade, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     height, width, _ = picture.shape
     for y in range(height):
@@ -60,7 +62,9 @@ def lit_ground(
 
 @kernel
 def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> None:
-    """Fill ``places`` (height, width, 5): for each pixel its x and y on the ground, visibility, noise, −1."""
+    """Fill ``places`` (height, width, 5) with each pixel's ground coordinates x and y, visibility,
+    noise, −1.
+    """
     height, width, _ = places.shape
     for y in range(height):
         for x in range(width):
@@ -85,11 +89,11 @@ def moved_ground(
     paper: Light,
     numbers: Light,
 ) -> None:
-    """Draw the ground as a moved camera sees it, as floats and as bytes, from row ``top`` down.
+    """Draw the ground for a moved camera, as floats and as bytes, from row ``top`` downwards.
 
-    The light is centred at the point that the camera looks at. ``numbers`` are the darkness of the paper,
-    shade, pool, ring, and the two coordinates of the camera's displacement. Only the rings move:
-    ``places`` stores the share of a ring in each pixel, and pixels with an unchanged share are skipped.
+    The light is centred at the point at which the camera looks. ``numbers`` are the darkness of the paper,
+    shade, pool, ring, and the two coordinates of the camera's displacement. Only the rings move: ``places``
+    stores the share of a ring in each pixel, and pixels with an unchanged share are skipped.
     """
     dark, shade_, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3]
     one, half, most = np.float32(1.0), np.float32(0.5), np.float32(255.0)
@@ -128,8 +132,8 @@ def shade(
 ) -> None:
     """Write the share of unshadowed light into ``grid`` (rows, columns), whose first point is ``start`` (2,).
 
-    ``cones`` (k, 5) are radius and height on the axis of one end and of the other, and how fast the radius
-    grows; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.
+    ``cones`` (k, 5) are the radius and the height on the axis of one end and of the other, and the slope of
+    the radius; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.
     """
     depth, sharp, soft, contact, reach = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     along = light[0] * axis[0] + light[1] * axis[1] + light[2] * axis[2]
@@ -189,7 +193,9 @@ def lay(
     start: Floats,
     step: float,
 ) -> None:
-    """Draw the shaded ground into ``pixels`` (height, width, 3), inside ``box``, as far as ``grid`` goes."""
+    """Draw the shaded ground into ``pixels`` (height, width, 3), inside ``box``, as far as ``grid``
+    extends.
+    """
     left, top, right, bottom = box
     rows, columns = grid.shape
     west, south = start[0] / step, start[1] / step
@@ -222,7 +228,7 @@ def lay(
 
 @kernel
 def grained(background: Light, pixels: Bytes) -> None:
-    """Write ``background`` (height, width, 3), float32, as bytes to ``pixels``, dithered against bands."""
+    """Write ``background`` (height, width, 3), float32, as bytes to ``pixels``, dithered to avoid banding."""
     height, width, _ = background.shape
     for y in range(height):
         for x in range(width):

@@ -1,4 +1,4 @@
-"""The shadow that the top throws on the ground, without any softness: an outline."""
+"""The top's shadow on the ground with a sharp edge, as an outline."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,13 +23,13 @@ SUNK = 0.1
 
 
 def places(model: Model, settings: RenderSettings) -> Floats:
-    """Return points (k, 3) spread over all places of the top, and of its shadow if it is drawn."""
+    """Return points (k, 3) that cover all positions of the top, and of its shadow if it is drawn."""
     top = reached(model, settings)
     if not settings.shadow:
         return top
     above, light = top[top[:, 2] >= -SUNK], direction(settings.camera)
     thrown = above @ _fall(light)[:3, :3].T
-    # The edge of a shadow is the wider the farther the light comes from what throws it.
+    # The edge of a shadow is wider the farther the shadow is from the point that casts it.
     shadow = environment()["shadow"]
     edge = shadow["sharp"] + shadow["soft"] * above[:, 2] / light[2]
     # What nearly touches the ground darkens it besides, up to here.
@@ -40,24 +40,25 @@ def places(model: Model, settings: RenderSettings) -> Floats:
 
 
 def _fall(light: Floats) -> Floats:
-    """Return the map (4, 4) of homogeneous points along the light onto the ground."""
+    """Return the projection (4, 4) of homogeneous points along the light onto the ground."""
     fall = np.diag([1.0, 1.0, 0.0, 1.0])
     fall[:2, 2] = -light[:2] / light[2]
     return fall
 
 
 class SharpShadow:
-    """Fills the shadow of a mesh under a light far away, as ``view`` sees it."""
+    """Draws the shadow of a mesh under a distant light, as seen in ``view``."""
 
     def __init__(self, mesh: Mesh, light: Floats, view: View) -> None:
         self._mesh, self._parts, self._light = mesh, pieces(mesh), light
         self._on_ground = View(view.matrix @ _fall(light))
 
     def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
-        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``.
+        """Draw the shadow of the top with attitude ``rotation`` and its tip at ``tip``.
 
-        Each convex piece throws the shadow of its faces turned to the light, one loop or two of the same
-        sense, filled together by the nonzero winding rule. What has sunk below the ground throws none.
+        Each convex piece casts the shadow of its faces that are turned to the light. This is one loop or two
+        of the same orientation, filled together by the nonzero winding rule. Parts below the ground cast no
+        shadow.
         """
         here = self._mesh.points @ rotation.T + tip
         source = np.append(self._light @ rotation, 0.0)

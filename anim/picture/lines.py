@@ -1,4 +1,4 @@
-"""Draw antialiased lines by the share of each pixel that they cover, compiled."""
+"""Draw antialiased lines by the covered share of each pixel, compiled."""
 
 import math
 
@@ -17,8 +17,8 @@ def draw_line(pixels: Bytes, mask: Samples, points: Floats, half: float, colour:
     """Draw a line through ``points`` (k, 3), y upwards, with round ends; ``half`` is half its width.
 
     The third coordinate is the opacity, from 0 to 1. ``mask`` (height, width) is working memory for the
-    coverage of each pixel, by the distance of its centre from the line; it is zero before and after. Pixels
-    that the line crosses twice are painted once.
+    coverage of each pixel, computed from the distance of its centre to the line; it is zero before and after.
+    Pixels that the line crosses twice are painted only once.
     """
     height, width = mask.shape
     reach = half + 0.5

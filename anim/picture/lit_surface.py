@@ -1,4 +1,4 @@
-"""The background of the shaded style: lit ground, over which a camera may follow the top."""
+"""The background of the shaded style: lit ground, with a camera that may follow the top."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,8 +1,8 @@
-"""Simplify the model: leave out circles and points that do not change the picture.
+"""Simplify the model: omit circles and points that do not change the picture.
 
-A thousand points a ring are more than pixels can tell apart. Neighbouring faces of one colour become one as
-long as the straight edge stays within ``INVISIBLE`` pixels of the points left out; what it costs to draw a
-top then depends on the picture, not on how finely its model was made.
+A thousand points per ring are more than pixels can resolve. Neighbouring faces of one colour are merged as
+long as the straight edge stays within ``INVISIBLE`` pixels of the omitted points. So the cost of drawing
+depends on the picture, not on the resolution of the model.
 """
 
 from dataclasses import dataclass
@@ -25,14 +25,16 @@ INVISIBLE = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A model's tip, its apex, and the points of each circle numbered ``places`` (n,), increasing from 0."""
+    """A model's tip, its apex, and the points of each circle with indices ``places`` (n,),
+    increasing from 0.
+    """
 
     model: Model
     places: Indices
 
     @classmethod
     def of(cls, model: Model, magnification: float) -> "Mesh":
-        """Return the mesh for a picture that shows a unit of length as so many pixels, or fewer."""
+        """Return the mesh for a picture with at most ``magnification`` pixels per unit of length."""
         model = model.with_profile(simplified(model.profile, INVISIBLE / magnification))
         radius = magnification * max(r for r, _ in model.profile)
         step = int(model.ring * acos(max(0.0, 1 - INVISIBLE / radius)) / pi)
@@ -66,17 +68,19 @@ class Mesh:
 
     @cached_property
     def keys(self) -> Indices:
-        """Which of the two colours each face has, (ring,): 0 or 1."""
+        """The colour, 0 or 1, of each face, (ring,)."""
         return self.model.sectors[self.places] % 2
 
     @cached_property
     def angles(self) -> Floats:
-        """The angles (ring + 1,) of the rings' points from the x axis, and of the first once more."""
+        """The angles (ring + 1,) of the rings' points from the x axis; the last one repeats the first."""
         return np.append(self.places, self.model.ring) * (2 * pi / self.model.ring)
 
     @property
     def triangles(self) -> Indices:
-        """The surface as triangles (2·circles·ring, 3), as :meth:`~anim.model.Model.triangles` has them."""
+        """The surface as triangles (2·circles·ring, 3), in the order of
+        :meth:`~anim.model.Model.triangles`.
+        """
         return self.model.with_ring(self.ring).triangles()[0]
 
     @cached_property
@@ -86,5 +90,5 @@ class Mesh:
 
     @property
     def heights(self) -> Floats:
-        """The heights of the planes between neighbouring pieces, rising, (pieces − 1,)."""
+        """The ascending heights of the planes between neighbouring pieces, (pieces − 1,)."""
         return np.array([z for _, z in self.profile[1:-1]])

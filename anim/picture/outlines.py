@@ -1,9 +1,9 @@
-"""Merge the visible faces of one convex piece into outlines, one of each colour.
+"""Merge the visible faces of one convex piece into outlines, one for each colour.
 
-Faces drawn one by one would let the far side shine through: where two antialiased edges meet, each covers
-half of a pixel, and a quarter of what lies beneath stays. So neighbouring faces of one colour become
-one outline, and where two outlines meet, the one drawn first reaches ``OVERLAP`` pixels under the other.
-It never reaches beyond the edge of the body, whose outline stays sharp.
+If faces were drawn one by one, the far side would shine through: where two antialiased edges meet, each
+covers half of a pixel, and a quarter of what lies beneath remains visible. So neighbouring faces of one
+colour are merged into one outline, and where two outlines meet, the one drawn first extends ``OVERLAP``
+pixels under the other. It never extends beyond the edge of the body, whose outline stays sharp.
 """
 
 from collections.abc import Iterator
@@ -24,7 +24,7 @@ HIDDEN = -1
 
 @dataclass(frozen=True)
 class Run:
-    """Faces ``start`` … ``stop`` − 1 of one colour, counted on past the end of the ring."""
+    """The faces ``start`` … ``stop`` − 1 of one colour; indices may continue past the end of the ring."""
 
     start: int
     stop: int
@@ -32,9 +32,10 @@ class Run:
 
 
 def runs(keys: KeyArray) -> list[Run]:
-    """Return the longest runs of equal ``keys`` round the ring, without those of key ``HIDDEN``.
+    """Return the maximal runs of equal ``keys`` around the ring, without those of key ``HIDDEN``.
 
-    They come in the order round the ring. A single run has ``stop - start == len(keys)``.
+    They are in the order of the ring. If all keys are equal, the single run has ``stop - start ==
+    len(keys)``.
 
     >>> runs(np.array([1, 1, -1, 0, 1]))
     [Run(start=3, stop=4, key=0), Run(start=4, stop=7, key=1)]
@@ -50,18 +51,18 @@ def runs(keys: KeyArray) -> list[Run]:
 
 @dataclass(frozen=True, eq=False)
 class Rim:
-    """A projected rim (ring, 2) of a piece, and the same ``reaching`` under a neighbour, if there is one."""
+    """A projected rim (ring, 2) of a piece, and ``reaching``, the same extended under a neighbour, if any."""
 
     points: Floats
     reaching: Floats | None = None
 
     @property
     def outermost(self) -> Floats:
-        """The rim as far as the outline goes."""
+        """The rim to which the outline extends."""
         return self.points if self.reaching is None else self.reaching
 
     def arc(self, start: float, stop: float) -> Floats:
-        """Return the polyline between two places, counted in faces and not always whole."""
+        """Return the polyline between two positions, measured in faces and possibly fractional."""
         if self.reaching is None:
             return _arc(self.points, start, stop)
         # From the rim itself, so that the edges that end there stay straight.
@@ -70,9 +71,10 @@ class Rim:
 
 
 def reach_under(rim: Floats, inside: Floats) -> Rim:
-    """Return the rim (ring, 2), with a second line shifted under the neighbouring piece, drawn later.
+    """Return the rim (ring, 2), with a second line shifted under the neighbouring piece, which is drawn
+    later.
 
-    ``inside`` (2,) is a projected point inside that piece. The piece is convex, so the segment
+    ``inside`` (2,) is a projected point inside the neighbouring piece. That piece is convex, so the segment
     from the rim to this point lies inside it. Everything visible there is drawn after the rim's own piece.
     """
     away = inside - rim
@@ -83,8 +85,8 @@ def reach_under(rim: Floats, inside: Floats) -> Rim:
 def outlines(low: Rim, high: Rim, keys: KeyArray) -> Iterator[tuple[int, list[Floats]]]:
     """Yield ``(key, loops)`` for each run: closed polygons (k, 2) to be filled together, in drawing order.
 
-    ``keys`` (ring,) is each face's colour or ``HIDDEN``. With one colour the rims may be those in space,
-    (ring, 3).
+    ``keys`` (ring,) are the faces' colours or ``HIDDEN``. If all are equal the rims may be in space, (ring,
+    3).
     """
     n = len(keys)
     found = runs(keys)
@@ -92,7 +94,8 @@ def outlines(low: Rim, high: Rim, keys: KeyArray) -> Iterator[tuple[int, list[Fl
         if run.stop - run.start == n:
             yield run.key, [low.outermost, high.outermost[::-1]]
             continue
-        # What follows is drawn later, save after the last; what precedes, only before the first.
+        # The next piece is drawn later, except after the last; the previous piece is drawn later
+        # only before the first.
         after = found[(order + 1) % len(found)]
         before = found[order - 1]
         ends, begins = Strip(run.stop, run.stop), Strip(run.start, run.start)
@@ -108,7 +111,7 @@ def outlines(low: Rim, high: Rim, keys: KeyArray) -> Iterator[tuple[int, list[Fl
 
 @dataclass(frozen=True)
 class Strip:
-    """Where an outline ends on both rims, counted in faces, and a corner (1, 2) in between, if any."""
+    """The ends of an outline on both rims, measured in faces, with a corner (1, 2) in between, if any."""
 
     low: float
     high: float
@@ -116,10 +119,10 @@ class Strip:
 
 
 def _strip(low: Floats, high: Floats, edge: int, faces: int) -> Strip:
-    """Return the end of an outline that reaches ``OVERLAP`` pixels beyond an edge between two faces.
+    """Return the end of an outline that extends ``OVERLAP`` pixels beyond an edge between two faces.
 
-    The strip has the same width everywhere, but ends where the neighbour of ``faces`` faces (negative: to the
-    other side) does, as it must near a point where all edges meet.
+    The strip has constant width, but ends where the neighbour of ``faces`` faces (negative: on the other
+    side) ends, as is necessary near a point where all edges meet.
     """
     n, far = len(low), edge + faces
     widths = [_distance(rim[edge % n], rim[far % n]) for rim in (low, high)]
@@ -137,7 +140,7 @@ def _strip(low: Floats, high: Floats, edge: int, faces: int) -> Strip:
 
 
 def _share(rim: Floats, edge: int, faces: int) -> float:
-    """Return how many faces, at most ``faces``, make ``OVERLAP`` pixels along the rim."""
+    """Return how many faces, at most ``faces``, correspond to ``OVERLAP`` pixels along the rim."""
     n, step = len(rim), 1 if faces > 0 else -1
     width = _distance(rim[edge % n], rim[(edge + step) % n])
     return step * min(OVERLAP / max(width, 1e-9), abs(faces))
@@ -148,7 +151,7 @@ def _distance(a: Floats, b: Floats) -> float:
 
 
 def _arc(rim: Floats, start: float, stop: float) -> Floats:
-    """Return the polyline along the rim between two places, counted in faces and not always whole."""
+    """Return the polyline along the rim between two positions, measured in faces and possibly fractional."""
     n = len(rim)
     first, last = int(np.ceil(start)), int(np.floor(stop))
     points = rim[np.arange(first, last + 1) % n]

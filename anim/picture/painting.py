@@ -1,4 +1,6 @@
-"""One painter for all styles: background, shadow, the trace behind, the top, the trace before it."""
+"""The painter for all styles: background, shadow, the path behind the top, the top, the path in
+front of it.
+"""
 
 from dataclasses import replace
 
@@ -28,8 +30,8 @@ HIDING_TOLERANCE = 0.003
 class Painter:
     """A painter of one model with given settings; each call draws one attitude.
 
-    What :meth:`draw` returns depends on its arguments only. A painter reuses one canvas: use one a
-    thread; it pickles as its model and settings, so that other processes can have their own.
+    The result of :meth:`draw` depends only on its arguments. A painter reuses one canvas, so each thread
+    needs its own; it is pickled as its model and settings, so that other processes can build their own.
     """
 
     def __init__(self, model: Model, settings: RenderSettings) -> None:
@@ -48,7 +50,7 @@ class Painter:
         self.body = style.body(self.mesh, _colours(model, settings), self.light, settings)
         self.shadow = style.shadow(self.mesh, self.light, self.view, settings)
         self._pen = max(1.0, min(settings.size) / 320)
-        # A wide top reaches out of the apex's sphere: then the outline decides what is hidden.
+        # A wide top extends beyond the apex's sphere; then the outline decides what is hidden.
         self._wide = (
             ()
             if model.extent <= model.height
@@ -68,11 +70,11 @@ class Painter:
     ) -> Pixels:
         """Return the picture, uint8 (height, width, 3), sRGB, top row first.
 
-        ``matrix`` (3, 3) is the rotation that takes the model to its attitude, ``trail`` (k, 3) the
-        places of the apex up to now; they are drawn if the settings have a trace, and fade with their
-        ``ages`` (k,) in seconds, if these are given. The tip is at ``place`` (3,), and the camera has gone
-        to ``centre`` (2,) on the ground; lengths are in the model's unit. Raises
-        :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
+        ``matrix`` (3, 3) is the attitude of the model. ``trail`` (k, 3) are the positions of the apex so far;
+        they are drawn if the settings have a trace, and fade with their ``ages`` (k,) in seconds, if given.
+        The tip is at ``place`` (3,), and the camera is centred at ``centre`` (2,) on the ground; lengths are
+        in the model's unit. Raises :class:`~anim.errors.AnimationError` for anything but a rotation and
+        finite points.
         """
         return self._draw(
             [_rotation(matrix)], [self._place(place)], self._path(trail, ages), centre, 0.0
@@ -87,11 +89,11 @@ class Painter:
         ages: ArrayLike | None = None,
         centre: ArrayLike = (0, 0),
     ) -> Pixels:
-        """Return the picture of an open shutter: attitudes (k, 3, 3) at places (k, 3).
+        """Return the picture for an open shutter: attitudes (k, 3, 3) at positions (k, 3).
 
-        They are equally spaced in time; ``spin`` is the turn in radians about the top's own axis from first
-        to last. Shadow, trace and camera are those of the middle moment. A style that cannot expose draws
-        every moment, and the result is the mean.
+        They are equally spaced in time; ``spin`` is the rotation in radians about the top's own axis from the
+        first to the last. Shadow, trace and camera are those of the middle moment. A style that cannot expose
+        draws every moment, and the result is the mean.
         """
         rotations = [_rotation(matrix) for matrix in np.asarray(matrices, dtype=np.float64)]
         tips = [self._place(place) for place in np.asarray(places, dtype=np.float64)]
@@ -112,7 +114,7 @@ class Painter:
         return self._magnified * values
 
     def _path(self, trail: ArrayLike | None, ages: ArrayLike | None) -> Path | None:
-        """Return the apex's path in the picture's unit, if it is to be drawn."""
+        """Return the apex's path in the picture's unit, if it is drawn."""
         if trail is None or not self.settings.trace:
             return None
         points = _points(trail)

@@ -1,9 +1,9 @@
-"""From space to the picture: one 4 × 4 projective matrix, and the point it is seen from.
+"""The projection from space to the picture: a 4 × 4 projective matrix and the eye.
 
-A :class:`View` maps homogeneous points (x, y, z, 1) of space to (u·w, v·w, d·w, w): u and v are pixels
-from the picture's lower left corner, and d grows towards the eye and is linear over a plane face. The
-eye is a homogeneous point too, so that parallel rays (an eye at infinity) need no case of their own
-(Hartley and Zisserman, Multiple View Geometry, chapter 6).
+A :class:`View` maps homogeneous points (x, y, z, 1) of space to (u·w, v·w, d·w, w): u and v are pixels from
+the picture's lower left corner, and d increases towards the eye and is linear on plane faces. The eye is a
+homogeneous point too, so parallel rays (an eye at infinity) are not a special case (Hartley and Zisserman,
+Multiple View Geometry, chapter 6).
 """
 
 from dataclasses import dataclass
@@ -29,20 +29,22 @@ MIN_MARGIN = 2.0
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """A projection of space to a picture; see the module for what ``matrix`` (4, 4) means."""
+    """A projection from space to a picture; the module describes ``matrix`` (4, 4)."""
 
     matrix: Floats
 
     @cached_property
     def eye(self) -> Floats:
-        """The eye, homogeneous (4,): (position, 1), or (direction towards it, 0) for parallel rays."""
+        """The eye in homogeneous coordinates (4,): (position, 1), or (direction towards it, 0) for parallel
+        rays.
+        """
         rows = self.matrix[[0, 1, 3]]
         thirds = (np.delete(rows, n, axis=1) for n in range(4))
         minors = [a @ np.cross(b, c) for a, b, c in thirds]  # no division, whatever the rows are
         eye = np.array([-minors[0], minors[1], -minors[2], minors[3]])
         eye = -eye if eye[3] < 0 else eye
         length = float(np.linalg.norm(eye[:3]))
-        # An eye further off than a million units is at infinity; the sign says on which side.
+        # An eye more than a million units away is at infinity; the sign determines the side.
         if eye[3] * 1e6 > length:
             return np.asarray(eye / eye[3])
         towards = np.cross(rows[0, :3], rows[1, :3]) * np.sign(rows[2, 3])
@@ -53,7 +55,7 @@ class View:
         motion = np.eye(4)
         motion[:3, :3], motion[:3, 3] = rotation, place
         view = View(self.matrix @ motion)
-        # The eye need not be found again: it moves the other way.
+        # The eye need not be computed again: it moves in the opposite direction.
         x, w = self.eye[:3], self.eye[3]
         view.__dict__["eye"] = np.append((x - w * place) @ rotation, w)
         return view
@@ -65,7 +67,7 @@ class View:
         return np.column_stack([u / w, v / w])
 
     def magnification(self, points: Floats) -> float:
-        """Return the largest number of pixels per unit of length at any of ``points`` (k, 3)."""
+        """Return the maximal number of pixels per unit of length at the ``points`` (k, 3)."""
         rows = self.matrix[[0, 1, 3]]
         u, v, w = (rows[:, :3] @ points.T + rows[:, 3:])[..., None]
         across, up = ((rows[n, :3] - seen / w * rows[2, :3]) / w for n, seen in enumerate((u, v)))
@@ -73,7 +75,7 @@ class View:
 
 
 def view(camera: Camera, size: tuple[int, int], places: Floats) -> View:
-    """Return the camera's view, scaled so that all ``places`` (k, 3) stay in frame."""
+    """Return the camera's view, scaled so that all ``places`` (k, 3) are in the picture."""
     raw = View(_camera_matrix(camera))
     reach = float(np.linalg.norm(places, axis=1).max())
     if raw.eye[3] and np.linalg.norm(raw.eye[:3]) < 1.2 * reach:
@@ -91,9 +93,9 @@ def view(camera: Camera, size: tuple[int, int], places: Floats) -> View:
 def fitting(
     seen: Floats, size: tuple[int, int], margin: float, zoom: float
 ) -> tuple[float, Floats]:
-    """Return the scale and the shift (2,) that centre the points ``seen`` (k, 2) in a picture and fill it.
+    """Return the scale and the shift (2,) such that the points ``seen`` (k, 2) fill a picture, centred.
 
-    ``margin`` is the share of the picture left free at each edge; ``zoom`` enlarges about the middle.
+    ``margin`` is the share of the picture left free at each edge; ``zoom`` enlarges about the centre.
     """
     low, high = seen.min(axis=0), seen.max(axis=0)
     whole = np.array(size)
@@ -103,7 +105,7 @@ def fitting(
 
 
 def reached(model: Model, settings: RenderSettings) -> Floats:
-    """Return points (k, 3) spread over all places of the top that stay in the picture."""
+    """Return points (k, 3) that cover all positions of the top that must stay in the picture."""
     if settings.reach:
         return np.array(settings.reach)
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
@@ -114,7 +116,7 @@ def reached(model: Model, settings: RenderSettings) -> Floats:
 
 
 def rim_points(model: Model, attitudes: Floats, tips: Floats) -> Floats:
-    """Return points (k, 3) on the rims of the top in attitudes (n, 3, 3), its tip at ``tips`` (n, 3)."""
+    """Return points (k, 3) on the rims of the top for attitudes (n, 3, 3) with the tip at ``tips`` (n, 3)."""
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
     circle = np.column_stack([np.cos(around), np.sin(around)])
     rims = [
@@ -126,9 +128,9 @@ def rim_points(model: Model, attitudes: Floats, tips: Floats) -> Floats:
 
 
 def outermost(points: Floats) -> Floats:
-    """Return the points (k, 3) among ``points`` that lie farthest in some of many directions.
+    """Return those ``points`` (k, 3) that are the farthest in one of many directions.
 
-    What a picture has to show of them it has to show of these, up to a four-hundredth of their extent.
+    A picture that shows these shows all points, up to a four-hundredth of their extent.
     """
     # Fibonacci's directions are even on the sphere.
     height = (np.arange(DIRECTIONS) + 0.5) / DIRECTIONS * 2 - 1
@@ -140,7 +142,7 @@ def outermost(points: Floats) -> Floats:
 
 
 def frame(camera: Camera) -> Floats:
-    """Return the camera's axes as rows (3, 3): to the right, upwards in the picture, towards the eye."""
+    """Return the camera's axes as rows (3, 3): right, up in the picture, towards the eye."""
     a, e = radians(camera.azimuth), radians(camera.elevation)
     right = np.array([-sin(a), cos(a), 0.0])
     towards = np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])

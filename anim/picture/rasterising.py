@@ -1,10 +1,10 @@
-"""Rasterise lit triangles by the share of each pixel that they cover, compiled.
+"""Rasterise lit triangles by the covered share of each pixel, compiled.
 
-A solid of convex pieces needs no z-buffer: the faces of a piece that are turned to the eye lie side by side,
-so that their shares of a pixel add up, and the pieces come from front to back, each into what is left.
-The shares are exact areas (E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978), for
-the price of one sample a pixel. The picture is made in stripes of a few rows, so that they stay in the cache.
-One thread, no reassociation: the same input gives the same bytes.
+A solid made of convex pieces needs no z-buffer: the front faces of a piece lie side by side, so their shares
+of a pixel add up, and the pieces are drawn from front to back, each into the remaining share. The shares are
+exact areas (E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978), at the cost of one
+sample per pixel. The picture is drawn in stripes of a few rows, so that they stay in the cache. There is one
+thread and no reassociation: the same input gives the same bytes.
 """
 
 import math
@@ -65,18 +65,19 @@ def paint(
 ) -> None:
     """Draw the triangles that face the viewer over ``pixels`` (height, width, 3), inside ``box``.
 
-    The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
-    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: those of piece k begin at
-    ``starts`` [k], (pieces + 1,); ``order`` (moments, pieces) has the pieces from the farthest to the
-    nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2): the shares of its own colour and of white that
-    each corner reflects; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
-    encodes equal steps of linear light. Unless ``smooth``, a pixel has the colour at its centre. The
-    coverage of each pixel is written into ``covered`` (height, width) if that has the size of the picture.
+    The picture is the mean of several moments. ``corners`` (moments, k, 2) are pixels, y downwards;
+    ``triangles`` (m, 3) index them, counterclockwise as seen from outside; those of piece k begin at
+    ``starts`` [k], (pieces + 1,); ``order`` (moments, pieces) lists the pieces from the farthest to the
+    nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the shares of its own colour and of white that
+    each corner reflects; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, and
+    ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel has the colour at its centre.
+    The coverage of each pixel is written into ``covered`` (height, width) if that has the size of the
+    picture.
 
-    The other arguments are working memory made by :func:`workspace`. For a stripe of rows: the colours of one
-    piece, its coverage, the sum of the moments, and the part of each row that is reached. ``front``: the
-    triangles that face the viewer, with their first and last rows, and their number. ``corner``: the three
-    corners of a triangle.
+    The other arguments are working memory made by :func:`workspace`. For a stripe of rows they are the
+    colours of one piece, its coverage, the sum over moments, and the part of each row that is reached.
+    ``front`` contains the front-facing triangles with their first and last rows, and their number. ``corner``
+    contains the three corners of a triangle.
     """
     xs, ys = corner[0], corner[1]
     left, top, right, bottom = box
@@ -157,7 +158,7 @@ def spread(
 ) -> None:
     """Add one triangle's light and share of the pixels to ``layer``, in the rows ``start`` … ``stop`` − 1.
 
-    ``layer`` begins at ``row``; ``reach`` (rows, 2) is widened to the columns that were touched.
+    ``layer`` begins at ``row``; ``reach`` (rows, 2) is extended to the columns that were touched.
     """
     for k in range(3):
         xs[k], ys[k] = corners[triangle[k], 0] - left, corners[triangle[k], 1]
@@ -168,11 +169,12 @@ def spread(
     pu, pv, gu, gv = p1 - p0, p2 - p0, g1 - g0, g2 - g0
     px, gx = (pu * vy - pv * uy) / area, (gu * vy - gv * uy) / area
     py, gy = (pv * ux - pu * vx) / area, (gv * ux - gu * vx) / area
-    # A pixel's middle may lie beside its triangle, where the light would be made up.
+    # The middle of a pixel may be outside its triangle, where the light would be extrapolated.
     least, most = min(p0, p1, p2), max(p0, p1, p2)
     dull, bright = min(g0, g1, g2), max(g0, g1, g2)
-    # The corners by height. Each edge is reckoned from its upper end, so that both its triangles get the
-    # same crossings and nothing is lost or drawn twice between them.
+    # The corners by height. Crossings on an edge are computed from its upper end, so that both
+    # adjacent triangles get the same crossings, and no pixel between them is omitted or drawn
+    # twice.
     u, m, d = 0, 1, 2
     if ys[u] > ys[m]:
         u, m = m, u
@@ -242,7 +244,7 @@ def beyond(x0: float, x1: float, x: int) -> float:
 
 @called
 def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
-    """Return how far the edge between two corners moves sideways in a row; 0 where it is level."""
+    """Return the horizontal displacement per row of the edge between two corners; 0 for a horizontal edge."""
     return (xs[j] - xs[i]) / (ys[j] - ys[i]) if ys[i] != ys[j] else 0.0
 
 
@@ -250,7 +252,7 @@ def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
 def behind(sums: Samples, cover: Samples, layer: Samples, reach: Indices, rows: int) -> None:
     """Add a piece's ``layer`` to ``sums`` where pieces in front do not cover it, and clear the layer.
 
-    Pieces that meet in a pixel are taken to lie side by side there, as they do along their common rim.
+    Pieces that meet in a pixel are assumed to lie side by side in it, as along their common rim.
     """
     for y in range(rows):
         for x in range(reach[y, 0], reach[y, 1]):

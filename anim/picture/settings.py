@@ -22,12 +22,12 @@ MAX_PIXELS = 7680 * 4320
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the picture is taken from; it always looks at the top and keeps z upright.
+    """The position of the camera; it always looks at the top and keeps z upright.
 
-    ``azimuth`` and ``elevation`` in degrees as in matplotlib (azimuth from the x axis towards the y
-    axis, elevation above the ground, −90 to 90); ``distance`` from the top in the thesis's unit (6 or
-    more; without effect when ``perspective`` is false: parallel rays); ``zoom`` enlarges the picture, 1
-    being the largest at which the top stays in frame. Raises :class:`~anim.errors.AnimationError`.
+    ``azimuth`` and ``elevation`` are in degrees as in matplotlib (azimuth from the x axis towards the y axis;
+    elevation above the ground, −90 to 90). ``distance`` is the distance from the top in the thesis's unit (at
+    least 6); it has no effect if ``perspective`` is false (parallel rays). ``zoom`` enlarges the picture; 1
+    is the largest value at which the whole top is visible. Raises :class:`~anim.errors.AnimationError`.
 
     >>> Camera(azimuth=30, zoom=2).elevation
     20.0
@@ -58,7 +58,7 @@ class Camera:
 
     @classmethod
     def parse(cls, text: str) -> "Camera":
-        """Return the camera written as ``azimuth,elevation[,distance[,zoom]][,parallel]``.
+        """Return the camera given by a text ``azimuth,elevation[,distance[,zoom]][,parallel]``.
 
         >>> Camera.parse("30, 15, 10")
         Camera(azimuth=30.0, elevation=15.0, distance=10.0, zoom=1.0, perspective=True)
@@ -79,16 +79,15 @@ class Camera:
 
 @dataclass(frozen=True)
 class RenderSettings:
-    """All that decides a picture besides the model and its attitude. Immutable, hashable, picklable.
+    """All settings of a picture besides the model and its attitude. Immutable, hashable, picklable.
 
     ``size`` is (width, height) in pixels, ``style`` a name in :data:`~anim.picture.styles.STYLES`.
-    ``background`` is a colour that matplotlib knows ("white", "#f5f2ea") or None for the style's own;
-    ``colours`` replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the
-    ground. ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). The picture shows
-    all of ``reach``, points of the scene in the model's unit, or without them the whole top on the origin
-    wherever it leans, up to ``tilt`` degrees from the vertical. With ``follow`` the camera goes along with a
-    top that wanders.
-    Raises :class:`~anim.errors.AnimationError`.
+    ``background`` is a matplotlib colour ("white", "#f5f2ea") or None for the style's own; ``colours``
+    replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the ground.
+    ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). The picture shows all points of ``reach`` in the
+    model's unit. Without ``reach`` it shows the whole top at the origin for every direction of tilt up to
+    ``tilt`` degrees. With ``follow`` the camera follows a top that moves along the ground. Raises
+    :class:`~anim.errors.AnimationError`.
 
     >>> RenderSettings(size=(1920, 1080), style="shaded", shadow=True).style
     'shaded'
@@ -133,7 +132,7 @@ class RenderSettings:
 
 
 def colour(name: str, value: object) -> RGB:
-    """Return a colour as 8-bit sRGB; ``name`` says in an error what it is the colour of."""
+    """Return a colour as 8-bit sRGB; ``name`` is used in error messages."""
     if isinstance(value, str) and fullmatch("#[0-9a-fA-F]{6}", value):  # without matplotlib
         red, green, blue = bytes.fromhex(value[1:])
         return red, green, blue

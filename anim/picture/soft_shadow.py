@@ -1,4 +1,4 @@
-"""The shadow of the top on lit ground: soft, and sharp and dark where the top touches the ground."""
+"""The shadow of the top on lit ground: soft, but sharp and dark near the contact."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ BEHIND = 0.02
 
 
 class SoftShadow:
-    """Lays the shadow of the top with an outline on lit ground."""
+    """Draws the shadow of the top on lit ground."""
 
     def __init__(self, profile: Profile, light: Floats, view: View) -> None:
         self._light, self._view = light, view
@@ -33,7 +33,7 @@ class SoftShadow:
         )
 
     def draw(self, canvas: LitSurface, rotation: Floats, tip: Floats) -> None:
-        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
+        """Draw the shadow of the top with attitude ``rotation`` and its tip at ``tip``."""
         from anim.picture.ground_kernels import lay, shade
 
         if self._view.eye[2] <= 0:

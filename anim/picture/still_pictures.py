@@ -1,6 +1,6 @@
-"""The pictures of sections 3.3 and 3.4 that are no film: points, skeleton, coloured top, turned tops.
+"""The still pictures of sections 3.3 and 3.4: points, skeleton, coloured top, rotated tops.
 
-The thesis numbers two of them, 3.1 and 3.2; those of section 3.3 have no numbers and get names here.
+The thesis numbers two of them, 3.1 and 3.2; those of section 3.3 have no numbers and are named here.
 """
 
 from io import BytesIO
@@ -42,11 +42,11 @@ SPREAD = 0.5
 def figures(directory: str | Path, force: bool = True) -> list[Path]:
     """Write the figures as PNG files of 640 × 480 pixels and return their paths.
 
-    points and skeleton (P₁ green, P₂ red; 10 points a ring), coloured, the same turned about z and then
-    also about a second axis, figure-3.1 (1000 points a ring) and figure-3.2 (four turns by π/2 about axes
-    leaning by 30°, in one picture of twice the size). ``force`` replaces files of these names. Raises
-    :class:`~hfield.cli.output.OutputError` where the directory cannot be written, and
-    :class:`~anim.errors.AnimationError` where the disk is full.
+    The figures are points and skeleton (P₁ green, P₂ red; 10 points per ring); coloured; the same rotated
+    about z, and also about a second axis; figure-3.1 (1000 points per ring); and figure-3.2 (four rotations
+    by π/2 about axes tilted by 30°, in one picture of twice the size). ``force`` replaces existing files.
+    Raises :class:`~hfield.cli.output.OutputError` if the directory cannot be written, and
+    :class:`~anim.errors.AnimationError` if the disk is full.
     """
     folder = Path(directory)
     try_folder(folder)
@@ -71,7 +71,7 @@ def figures(directory: str | Path, force: bool = True) -> list[Path]:
 
 
 def leaning(i: int) -> Floats:
-    """Return the turn (3, 3) by π/2 about the axis [r·cos xᵢ, r·sin xᵢ, √(1 − r²)], xᵢ = iπ/2."""
+    """Return the rotation (3, 3) by π/2 about the axis [r·cos xᵢ, r·sin xᵢ, √(1 − r²)], xᵢ = iπ/2."""
     x = i * np.pi / 2
     axis = [SPREAD * np.cos(x), SPREAD * np.sin(x), np.sqrt(1 - SPREAD**2)]
     return np.asarray(to_matrix(from_axis_angle(np.array(axis), np.pi / 2)))
@@ -90,7 +90,7 @@ def _points(model: Model) -> Pixels:
 
 
 def _skeleton(model: Model) -> Pixels:
-    """Draw the polygons' edges: rings in their points' colours, the edges between them blue."""
+    """Draw the polygons' edges: rings in the colours of their points, the edges between them blue."""
     view, canvas = CLASSIC.scene(model, SETTINGS)
     seen = view.project(model.points)
     n = model.ring

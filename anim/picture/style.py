@@ -1,4 +1,4 @@
-"""The protocol of a style: it makes the background, and draws the top."""
+"""The protocol of styles: a style makes the background and draws the top."""
 
 from abc import ABC, abstractmethod
 from typing import Any, Protocol, runtime_checkable
@@ -22,7 +22,7 @@ class TopPainter(Protocol):
     """Draws the top."""
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view in the axes of the top, which ``rotation`` has turned."""
+        """Draw the top with attitude ``rotation``; ``view`` is the view in the axes of the top."""
 
 
 @runtime_checkable
@@ -32,14 +32,14 @@ class Exposing(Protocol):
     def expose(
         self, canvas: Canvas, views: list[View], rotations: list[Floats], spin: float
     ) -> None:
-        """Draw the mean of moments between which the top turns by ``spin`` radians in all."""
+        """Draw the mean of several moments during which the top rotates by ``spin`` radians in total."""
 
 
 class Shadow(Protocol):
     """Draws the shadow of the top on the ground."""
 
     def draw(self, canvas: Any, rotation: Floats, tip: Floats) -> None:
-        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
+        """Draw the shadow of the top with attitude ``rotation`` and its tip at ``tip``."""
 
 
 class Style(ABC):

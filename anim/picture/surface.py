@@ -1,6 +1,6 @@
 """The pixels that pictures are drawn on; a fixed background is restored before each picture.
 
-Lit pictures are drawn by kernels of our own, which know how much of a pixel they cover; `canvas` adds the
+Lit pictures are drawn by our own kernels, which compute the covered share of each pixel; `canvas` adds the
 outlines of matplotlib's renderer.
 """
 
@@ -30,7 +30,7 @@ class Surface:
         self.clear()
 
     def clear(self) -> None:
-        """Begin a new picture with the background."""
+        """Start a new picture with the background."""
         self.pixels: Pixels = self._background.copy()
 
     def touch(self, points: Floats, width: float) -> Box:
@@ -45,9 +45,9 @@ class Surface:
         )
 
     def stroke(self, lines: Sequence[Floats], colour: RGB, width: float) -> None:
-        """Draw open lines ``width`` pixels wide, with round ends, over their own box.
+        """Draw open lines ``width`` pixels wide, with round ends.
 
-        A line goes through points (k, 2), or (k, 3) with the opacity, from 0 to 1, as the third coordinate.
+        A line passes through points (k, 2), or (k, 3) with the opacity, from 0 to 1, as third coordinate.
         """
         from anim.picture.lines import draw_line
 
@@ -59,7 +59,7 @@ class Surface:
             draw_line(self.pixels, self._mask, points, width / 2, ink)
 
     def move(self, centre: Floats) -> None:
-        """Show the background as seen by a camera moved to ``centre`` (2,); plain paper does not change."""
+        """Show the background for a camera moved to ``centre`` (2,); plain paper does not change."""
 
     def rgb(self) -> Pixels:
         """Return the picture, (height, width, 3)."""

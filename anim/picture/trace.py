@@ -1,9 +1,9 @@
 """Split the path of the apex into a part behind the top and a part in front of it.
 
-The apex moves on a sphere about the tip. A top inside that sphere cannot hide a point on the near side, and
-a point on the far side cannot hide the top. So the near side of the path is drawn after the top, the far side
-before it. If the tip moves, the sphere is centred at its present place; the older points are close to it. A
-top that is wider than it is tall is not inside the sphere. Then the ray from each point to the eye is
+The apex moves on a sphere about the tip. A top inside that sphere cannot hide a point on the near side, and a
+point on the far side cannot hide the top. So the near side of the path is drawn after the top, the far side
+before it. If the tip moves, the sphere is centred at its current position, and the older points are close to
+it. A top that is wider than it is tall is not inside the sphere; then the ray from each point to the eye is
 intersected with the top.
 """
 
@@ -29,7 +29,7 @@ MIN_RAY_LENGTH = 1e-6
 
 
 def strengths(ages: Floats) -> Floats:
-    """Return the opacity (k,) of a path at points that the apex passed ``ages`` (k,) seconds ago."""
+    """Return the opacity (k,) of a path at points through which the apex passed ``ages`` (k,) seconds ago."""
     return np.asarray(MIN_STRENGTH + (1 - MIN_STRENGTH) * np.exp(-ages / FADING_SECONDS))
 
 
@@ -40,7 +40,9 @@ def on_near_side(trail: Floats, eye: Floats, tip: Floats) -> Booleans:
 
 
 def in_sight(points: Floats, eye: Floats, profile: Sequence[tuple[float, float]]) -> Booleans:
-    """Return which ``points`` (k, 3), in the top's coordinates, the solid of ``profile`` does not hide."""
+    """Return which ``points`` (k, 3), in the top's coordinates, are not hidden by the solid of
+    ``profile``.
+    """
     way = eye[:3] - eye[3] * points
     far = 1.0 if eye[3] else np.inf
     (ox, oy, oz), (dx, dy, dz) = points.T, way.T
@@ -67,9 +69,10 @@ def in_sight(points: Floats, eye: Floats, profile: Sequence[tuple[float, float]]
 def near_and_far(
     trail: Floats, view: View, near: Booleans, ink: Floats
 ) -> tuple[list[Floats], list[Floats]]:
-    """Return the polylines to draw after the top, through the points that are ``near``, and before it.
+    """Return the polylines through the ``near`` points, to draw after the top, and the others, to draw
+    before.
 
-    Each polyline (k, 3) has the two pixel coordinates of its points and their opacity, ``ink``.
+    Each polyline (k, 3) has two pixel coordinates per point, and the opacity ``ink``.
     """
     if len(trail) < 2:
         return [], []
@@ -85,11 +88,11 @@ def near_and_far(
 
 
 def thinned(path: Floats, tolerance: float) -> NDArray[np.int64]:
-    """Return which points of a path (n, 3) to keep, for a line that deviates by at most ``tolerance``.
+    """Return which points of a path (n, 3) to keep for a line that deviates by at most ``tolerance``.
 
-    A curve of length L that turns by φ in all is within L·φ/4 of its chord (φ ≤ π); points are left out as as
-    long as this is at most ``tolerance``. The points kept do not depend on later points, so that a line can
-    grow from frame to frame without flicker.
+    A curve of length L that turns by φ in total is within L·φ/4 of its chord (φ ≤ π); points are omitted as
+    long as this is at most ``tolerance``. The points kept do not depend on later points, so a line can grow
+    from frame to frame without flicker.
     """
     steps = np.diff(path, axis=0)
     lengths = np.linalg.norm(steps, axis=1)

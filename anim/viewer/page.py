@@ -1,7 +1,7 @@
 """The page as text: the viewer's files and the motion as JSON, in one file.
 
-The page asks the network for nothing (its content security policy forbids it), so it works from a
-file. Attitudes travel as float32, four numbers a frame: 500 frames take 11 KB.
+The page loads nothing from the network (its content security policy forbids it), so it works as a local file.
+Attitudes are stored as float32, four numbers per frame: 500 frames take 11 KB.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ MODE = '<button id="mode" type="button" title="the live top or the film (m)"></b
 
 @dataclass(frozen=True)
 class Show:
-    """One top on the page: a label, unit quaternions (frames, 4), scalar first, and where its tip is.
+    """One top on the page: a label, unit quaternions (frames, 4), scalar first, and positions of its tip.
 
     ``places`` (frames, 3) are in the model's unit; without them the tip stays at the origin.
     """
@@ -51,13 +51,13 @@ class Show:
 
     @classmethod
     def of(cls, motion: Motion) -> Show:
-        """Return a motion as a show of its name."""
+        """Return the show of a motion, labelled with its name."""
         return cls(motion.name, motion.attitudes, motion.places and motion.tips(motion.times))
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A quantity over the frames, such as the energy: its name, values (frames,) and unit."""
+    """A quantity over the frames, such as the energy: name, values (frames,) and unit."""
 
     name: str
     values: ArrayLike
@@ -65,7 +65,7 @@ class Curve:
 
 
 def curves_of(motion: Motion) -> list[Curve]:
-    """Return tilt and energy of a simulated motion; nothing for any other."""
+    """Return tilt and energy of a simulated motion; nothing for other motions."""
     if motion.record is None:
         return []
     from numpy import degrees
@@ -91,9 +91,9 @@ def page(
     """Return the page on which the tops of ``shows`` spin side by side.
 
     ``camera`` is azimuth and elevation in degrees, ``zoom`` magnifies, ``background`` is a colour as
-    ``#rrggbb``; without it the page follows the reader's light or dark scheme. With ``simulation``
-    the page opens with that top, live: it computes the motion itself, and the film is a button away. Raises
-    :class:`AnimationError` for no show, attitudes of another shape, or values that are not finite.
+    ``#rrggbb``; without it the page follows the reader's light or dark scheme. With ``simulation`` the page
+    starts with that top, computed live; a button switches to the film. Raises :class:`AnimationError` if
+    there is no show, or for attitudes of another shape or values that are not finite.
     """
     if not shows:
         raise AnimationError("a page needs at least one top to show")
@@ -143,7 +143,7 @@ def page(
 
 
 def seeing() -> str:
-    """Return the page Seeing quaternions: products as turns of S³, and the units over GF(3) and GF(5) there.
+    """Return the page "Seeing quaternions": products as rotations of S³, and the units over GF(3) and GF(5).
 
     >>> "600-cell" in seeing()
     True
@@ -156,16 +156,18 @@ def seeing() -> str:
 
 
 def _style(background: str | None) -> str:
-    """Return the page's style on the paper of the environment, or on one paper for light and dark."""
+    """Return the page's style, with the paper of the environment, or with one paper for light and dark
+    schemes.
+    """
     paper = environment()["paper"]
     style = _file("page.css").replace("{{paper}}", background or paper["light"])
     return style.replace("{{dark}}", paper["dark"])
 
 
 def _shape(model: Model) -> dict[str, object]:
-    """Return the profile of the top, its colours, and the index of the colour of each sector.
+    """Return the profile of the top, its colours, and the colour index of each sector.
 
-    As in pictures, the farthest point of a top of any size is 3 from its tip.
+    As in pictures, the farthest point of a top of any size has distance 3 from its tip.
     """
     profile, tolerance = model.scaled(model.magnified).profile, OUTLINE_TOLERANCE
     while len(profile) > MAX_CORNERS:
@@ -185,7 +187,7 @@ def _magnified(model: Model, places: ArrayLike) -> ArrayLike:
 
 
 def _live(top: HeavyTop | FreeTop) -> dict[str, object]:
-    """Describe a heavy top at its launch, in the words of heavy_top.js and free_top.js."""
+    """Return the launch data of a heavy top, in the terms of heavy_top.js and free_top.js."""
     from anim.physics import Contact, FreeTop
 
     body, launch = top.body, top.launch
@@ -205,7 +207,7 @@ def _live(top: HeavyTop | FreeTop) -> dict[str, object]:
 
 
 def _packed(values: ArrayLike, columns: int | None) -> str:
-    """Write an array (frames,) or (frames, columns) as float32 in base64."""
+    """Return an array (frames,) or (frames, columns) as float32 in base64."""
     import numpy as np
 
     array = np.asarray(values, dtype=np.float64)

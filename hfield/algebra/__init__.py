@@ -1,4 +1,4 @@
-"""The algebra and its elements: the parent, the quaternion (one or an array of them), and their maps."""
+"""Quaternion algebras, their elements (one or an array), and maps between algebras."""
 
 import lazy_loader
 

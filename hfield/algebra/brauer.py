@@ -21,7 +21,7 @@ from hfield.fields.quadratic_forms.global_field import GlobalField, global_field
 from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
-MAX_CANDIDATES = 50_000  # scalars that are tried where local conditions tell which are slots
+MAX_CANDIDATES = 50_000  # scalars tried if local conditions determine which are slots
 MAX_CONICS = 10  # of these so many are tried: a conic may be too hard
 Slot = tuple[Scalar, Quaternion, Quaternion]
 ALBERT = (
@@ -31,7 +31,7 @@ GLOBAL = "over this field the index of a class is its order (Albert, Brauer, Has
 
 
 class TensorProduct:
-    """``A ⊗ B`` for central simple A and B over one field: its class, its index, a common slot.
+    """The tensor product ``A ⊗ B`` of central simple algebras over one field: class, index, a common slot.
 
     >>> from hfield import H, QuaternionAlgebra
     >>> T = H("QQ").tensor(QuaternionAlgebra(-1, -3))
@@ -57,7 +57,7 @@ class TensorProduct:
 
     @cached_property
     def brauer_class(self) -> tuple[Hashable, ...]:
-        """The places where exactly one factor ramifies, which are those where the product ramifies.
+        """The places where the product ramifies: those where exactly one of the two factors ramifies.
 
         Raises :class:`UndecidedError` over a field without a theory of places.
         """
@@ -86,7 +86,7 @@ class TensorProduct:
 
     @property
     def index(self) -> int:
-        """The index: 1, 2 or 4, the degree of the division algebra of the class. Raises UndecidedError."""
+        """The index (1, 2 or 4): the degree of the division algebra in the class. Raises UndecidedError."""
         return self._index[0]
 
     @property
@@ -96,10 +96,10 @@ class TensorProduct:
 
     @cached_property
     def _slot(self) -> Slot | None:
-        """Return a common slot, or None where a bounded search finds none.
+        """Return a common slot, or None if a bounded search finds none.
 
-        Where one of the two splits, any slot of the other serves; where they are isomorphic, any at all. Over
-        a global field a scalar is a slot of both unless it is a square at a place where one of them ramifies.
+        If one of the two splits, any slot of the other is common; if they are isomorphic, every slot is. Over
+        a global field a scalar is a common slot unless it is a square at a place where one of them ramifies.
         """
         one, other = self.first, self.second
         if _splits(one):
@@ -112,7 +112,8 @@ class TensorProduct:
         if field is not None and field.splits_if_unramified:
             own, others = (ramified_places(F, A.constants) for A in (one, other))
             if set(own) != set(others):
-                # squares of elements of the first are local squares only where it is not ramified
+                # squares of elements of the first are local squares only at places where it is not
+                # ramified
                 places = [*(v for v in others if v not in own), *own]
                 tried = starmap(self._of_square, self._candidates(field, places))
             tried = islice(tried, MAX_CONICS)
@@ -121,12 +122,11 @@ class TensorProduct:
     def _candidates(
         self, field: GlobalField, places: Collection[Hashable]
     ) -> Iterator[tuple[Scalar, Quaternion | None]]:
-        """Yield small scalars that are squares at none of the places, with a known root where there is
-        one.
+        """Yield small scalars that are squares at none of the places, with a known root if there is one.
 
-        The places are those where the two algebras ramify. Small elements of the field take turns with
-        squares of small elements of the first algebra. Of the former more have the right signs at real
-        places, of the latter more fit where many places ramify.
+        The places are those where the two algebras ramify. Small elements of the field alternate with squares
+        of small elements of the first algebra. The field elements more often have the right signs at real
+        places; the squares fit more often if many places ramify.
         """
         F = field.ring
         scalars = ((F(_numbered(F, m)), None) for n in count(1) for m in (n, -n))
@@ -138,11 +138,13 @@ class TensorProduct:
                 yield a, x
 
     def _given(self, z: Quaternion) -> Slot | None:
-        """Return the square of an element of trace 0 of one algebra, if the other has it too."""
+        """Return the common slot z² for an element z of trace 0 of either algebra, or None if none
+        is found.
+        """
         return self._of_square(-z.norm(), z)
 
     def _of_square(self, a: Scalar, given: Quaternion | None = None) -> Slot | None:
-        """Return the slot a with elements of both algebras, or None where none are found."""
+        """Return the common slot a with an element of each algebra, or None if one of them is not found."""
         found = []
         for A in (self.first, self.second):
             x = given if given is not None and given.algebra is A else _square_root(A, a)
@@ -153,9 +155,10 @@ class TensorProduct:
 
     @property
     def common_slot(self) -> Slot | None:
-        """A scalar a with elements x and y of the two, ``x² = y² = a``; None if the index is 4.
+        """A scalar a with an element x of the first and y of the second, ``x² = y² = a``; None if the index
+        is 4.
 
-        Raises :class:`UndecidedError` where none is found.
+        Raises :class:`UndecidedError` if the search finds no common slot.
         """
         if self.index == 4:
             return None
@@ -165,7 +168,7 @@ class TensorProduct:
 
 
 def pure_form(F: Ring[E], c: Constants[E]) -> list[E]:
-    """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
+    """Return the squares of three orthogonal pure elements, in characteristic other than 2."""
     a = c.a if F.is_zero(c.t) else c.t * c.t + c.a * F(4)
     return [a, c.b, -a * c.b]
 
@@ -187,9 +190,9 @@ def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
 def _numbered(F: Ring, n: int) -> Scalar | int:
     """Return the small element of number n in a field; its negative has the number −n.
 
-    Over number fields all integers are numbered: the digits of n to the base 3, −1, 0 and 1, go in turn to
-    the coordinates in the integral basis. Over functions in characteristic p it is the polynomial with the
-    digits of n to the base p. In all other fields it is n itself.
+    Over a number field the digits of n to the base 3 (−1, 0 and 1) are added in turn to the coordinates in
+    the integral basis. Over functions in characteristic p the result is the polynomial with the digits of n
+    to the base p. Over all other fields it is n itself.
     """
     if n < 0:
         return -_numbered(F, -n)
@@ -229,7 +232,7 @@ def _splits(A: Parent) -> bool:
 
 
 def _square_root(A: Parent, d: Scalar) -> Quaternion | None:
-    """Return an element of trace 0 that is not a scalar and has the square d; None where none is found."""
+    """Return a nonscalar element of trace 0 with square d; None if none is found."""
     try:
         q = element_of(A.ring, A.constants, A.ring.zero, -d)
     except UndecidedError:
@@ -239,10 +242,11 @@ def _square_root(A: Parent, d: Scalar) -> Quaternion | None:
 
 @dataclass(frozen=True)
 class Corestriction:
-    """The corestriction of an algebra: ``algebra`` over the base field, which is one of its class.
+    """The corestriction of an algebra; ``algebra`` is a quaternion algebra over the base in the same class.
 
-    ``above`` lists for each place of the base below a ramified one the ramified ones above it: invariants are
-    added up, so that ``brauer_class``, where it ramifies, are those with an odd number.
+    ``above`` lists, for each place of the base below a ramified place, the ramified places above it.
+    Invariants are added, so the places of ``brauer_class`` are those with an odd number of ramified places
+    above.
     """
 
     algebra: Parent
@@ -250,21 +254,23 @@ class Corestriction:
 
     @property
     def brauer_class(self) -> tuple[Hashable, ...]:
-        """The places of the base where it ramifies."""
+        """The places of the base where the corestriction ramifies."""
         return tuple(v for v, places in self.above.items() if len(places) % 2)
 
     @property
     def index(self) -> int:
-        """The index: 1 where it splits, else 2, as over a number field the index of a class is its order."""
+        """The index: 1 if the corestriction splits, else 2. Over a number field the index of a class is its
+        order.
+        """
         return 2 if self.brauer_class else 1
 
 
 def corestriction(A: Parent, base: Ring) -> Corestriction:
     """Return the corestriction of an algebra over a number field to ℚ or another subfield.
 
-    Invariants of places are added over each place below (J.-P. Serre, *Local Fields*, XI.2.1 and XIII.3.7).
-    Raises :class:`RingError` for fields of another kind, :class:`CoercionError` where the base is no subfield
-    that is known, or the algebra is degenerate.
+    The invariants of the places above each place are added (J.-P. Serre, *Local Fields*, XI.2.1 and
+    XIII.3.7). Raises :class:`RingError` for fields of another kind, and :class:`CoercionError` if the base is
+    not a known subfield or the algebra is degenerate.
     """
     F = A.ring
     for K in (F, base):

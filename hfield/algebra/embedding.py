@@ -1,7 +1,7 @@
 """Map scalars of one base ring into another, for ``change_ring``.
 
-Scalars travel as texts, in which a generator must keep its meaning: the class of x in GF(4) is not
-the x of GF(16), and a residue modulo 7 is no rational number.
+Scalars are converted through their texts, so a generator must mean the same in both rings: the class of x in
+GF(4) is not the x of GF(16), and a residue modulo 7 is not a rational number.
 """
 
 from collections.abc import Callable
@@ -18,10 +18,10 @@ from hfield.fields.finite.ring import ExtensionField
 def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:
     """Return the map of scalars of ``source`` into ``target``.
 
-    It is a homomorphism where both are fields of one characteristic. From characteristic 0 it may
-    reduce modulo p, and then fails at denominators that vanish. Of the embeddings of a finite field
-    it is the one of Conway polynomials where these are the moduli, else a fixed one.
-    Raises :class:`CoercionError` where there is no such map.
+    The map is a homomorphism if both are fields of one characteristic. From characteristic 0 it may reduce
+    modulo p; then it fails at denominators that vanish. For finite fields it is the embedding that is
+    compatible with Conway polynomials, if these are the moduli, else a fixed one. Raises
+    :class:`CoercionError` if there is no such map.
     """
     if source == target:
         return target

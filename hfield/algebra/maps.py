@@ -23,7 +23,7 @@ Matrix = splitting.Matrix
 
 
 class LinearMap(Generic[E]):
-    """A linear map of algebras over one ring, known by the ``images`` of e, i, j, k; call it."""
+    """A linear map of algebras over one ring, given by the ``images`` of e, i, j, k. The map is callable."""
 
     def __init__(self, source: Parent[E], target: Parent[E], images: Sequence[object]) -> None:
         self.source, self.target = source, target
@@ -31,7 +31,7 @@ class LinearMap(Generic[E]):
         self.images: Coordinates[Quaternion[E]] = (e, i, j, k)
 
     def __call__(self, q: object) -> Quaternion[E]:
-        """Return the image of q, an element of the source or what the source reads as one."""
+        """Return the image of q, an element of the source or a value that the source can read."""
         if isinstance(q, Quaternion) and q.algebra != self.source:
             raise MixedParentsError(
                 f"{shorten(q)} is an element of {q.algebra}, but the map is defined on {self.source}"
@@ -80,9 +80,9 @@ class LinearMap(Generic[E]):
 
 
 class Isomorphism(LinearMap[E]):
-    """An isomorphism of algebras; the relations and the determinant are checked when it is made.
+    """An isomorphism of algebras. The constructor checks the relations and the determinant.
 
-    ``reverses`` says that it is one onto the opposite algebra: φ(pq) = φ(q)·φ(p).
+    ``reverses`` is true for an isomorphism onto the opposite algebra: φ(pq) = φ(q)·φ(p).
     """
 
     def __init__(
@@ -97,7 +97,7 @@ class Isomorphism(LinearMap[E]):
         self._check()
 
     def _check(self) -> None:
-        """Multiply out all 16 products of the basis."""
+        """Check that the map respects all 16 products of basis elements."""
         basis = list(zip(self.source.basis, self.images, strict=True))
         for p, p_image in basis:
             for q, q_image in basis:
@@ -111,7 +111,7 @@ class Isomorphism(LinearMap[E]):
             raise NotInvertibleError(f"{self} is not bijective: its determinant is not a unit")
 
     def inverse(self) -> Isomorphism[E]:
-        """Return the inverse isomorphism, checked in its turn."""
+        """Return the inverse isomorphism, which is checked as well."""
         ring, m = self.target.ring, self.matrix()
         scale = ring.inverse(self.determinant)
         columns = []
@@ -132,11 +132,11 @@ def _minor(m: list[list[E]]) -> E:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Splitting(Verdict[Quaternion[E]]):
-    """An isomorphism of ``algebra`` with the 2 × 2 matrices over its field, checked when found.
+    """A checked isomorphism of ``algebra`` with the 2 × 2 matrices over its field.
 
-    It is true, and :class:`Division` is false. ``i`` and ``j`` are the matrices of i and j (``I, J =
-    A.split()`` unpacks them), ``images`` those of e, i, j, k; ``zero_divisor`` is an element of norm 0, the
-    witness, and ``reason`` says why there is one.
+    A splitting is true, and a :class:`Division` is false. ``i`` and ``j`` are the matrices of i and j (``I, J
+    = A.split()`` unpacks them); ``images`` are those of e, i, j, k. ``zero_divisor`` is the witness, an
+    element of norm 0, and ``reason`` says why it exists.
     """
 
     algebra: Parent[E] = field(kw_only=True)
@@ -144,7 +144,7 @@ class Splitting(Verdict[Quaternion[E]]):
 
     @classmethod
     def of(cls, algebra: Parent[E], found: splitting.CoordinateSplitting) -> Splitting[E]:
-        """Return the splitting of an algebra that is given on coordinates."""
+        """Return the splitting that is given by coordinates."""
         return cls(
             True,
             found.reason,
@@ -170,7 +170,7 @@ class Splitting(Verdict[Quaternion[E]]):
 
     @property
     def zero_divisor(self) -> Quaternion[E]:
-        """An element of norm 0, from which the splitting was made."""
+        """The element of norm 0 from which the splitting was computed."""
         assert self.witness is not None, "a splitting is made from a zero divisor"
         return self.witness
 
@@ -183,7 +183,7 @@ class Splitting(Verdict[Quaternion[E]]):
         return self.coordinate_splitting.to_matrix(coordinates)
 
     def from_matrix(self, matrix: Sequence[Sequence[object]]) -> Quaternion[E]:
-        """Return the element whose matrix is given, two rows of two entries.
+        """Return the element with a given matrix, two rows of two entries.
 
         Raises :class:`CoercionError` for another shape or for entries that are not in the field.
         """
@@ -204,10 +204,11 @@ class Splitting(Verdict[Quaternion[E]]):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Division(Verdict[None]):
-    """A proof that ``algebra`` is a division algebra: only 0 has norm 0, by ``method``, for ``reason``.
+    """A proof that ``algebra`` is a division algebra: only 0 has norm 0. It has a ``method`` and a
+    ``reason``.
 
-    It is false, for it is no splitting. ``places`` are the ramified places where they were computed;
-    ``assumes`` the theorems cited.
+    It is false in an ``if``, as there is no splitting. ``places`` are the ramified places if they were
+    computed; ``assumes`` lists the theorems cited.
     """
 
     algebra: Parent = field(kw_only=True)
@@ -217,7 +218,7 @@ class Division(Verdict[None]):
 
     @classmethod
     def of(cls, algebra: Parent, found: ZeroNorm) -> Division:
-        """Return why an algebra is one, for the answer about its norm form."""
+        """Return the proof for an algebra whose norm form was decided to have no zero."""
         return cls(
             False,
             found.reason,
@@ -238,5 +239,5 @@ def matrix_latex(F: Ring, m: Sequence[Sequence[Scalar]]) -> str:
 
 
 def matrix_text(F: Ring, m: Sequence[Sequence[Scalar]], style: str = "plain") -> str:
-    """Write a matrix in one line, ``[1, 0; 0, -1]``."""
+    """Write a matrix on one line, ``[1, 0; 0, -1]``."""
     return "[" + "; ".join(", ".join(F.text(x, style) for x in row) for row in m) + "]"

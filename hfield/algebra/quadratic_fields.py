@@ -28,7 +28,7 @@ EXPECTED = "a quadratic extension of {}, its polynomial, as in 'x^2+x+3', or d f
 class Embedding(Verdict[Quaternion]):
     """Whether x² − trace·x + norm has a root in the algebra, ``element``.
 
-    Where it has none, ``place`` is one at which there is none locally, if the field has places.
+    If it has no root, ``place`` is a place with no root locally, if the field has places.
     """
 
     trace: Scalar | None = None
@@ -39,9 +39,10 @@ class Embedding(Verdict[Quaternion]):
 def embed(A: Parent, extension: object) -> Embedding:
     """Return an embedding of a quadratic extension into a central simple algebra over the field F.
 
-    It is given as a field, by its polynomial (a text, three coefficients, low degree first, or a polynomial),
-    or by d for F(√d). It embeds exactly where no ramified place of A splits in it (Voight, *Quaternion
-    Algebras*, 14.6.7). Raises :class:`RingError` for what is no such extension, :class:`UndecidedError`.
+    The extension is given as a field, as a polynomial (a text, three coefficients, low degree first, or a
+    polynomial), or as d for F(√d). It embeds if and only if no ramified place of A splits in it (Voight,
+    *Quaternion Algebras*, 14.6.7). Raises :class:`RingError` for anything but a quadratic extension, and
+    :class:`UndecidedError`.
     """
     F = A.ring
     if not is_central_simple(F, A.constants):
@@ -70,7 +71,9 @@ def _shown(A: Parent, t: Scalar, n: Scalar) -> str:
 
 
 def _by_search(A: Parent[E], t: E, n: E) -> Embedding | None:
-    """Search small pure elements, and residues that exclude one; None where neither is found."""
+    """Search for an embedding by small pure elements, and for an obstruction by residues; None if
+    both fail.
+    """
     F = A.ring
     if F.characteristic == 2:
         return None
@@ -88,7 +91,7 @@ def _by_search(A: Parent[E], t: E, n: E) -> Embedding | None:
 
 
 def _trace_and_norm(A: Parent[E], given: object) -> tuple[E, E]:
-    """Return t and n for which x² − t·x + n has no root in F and a root of it generates the extension."""
+    """Return t and n such that x² − t·x + n has no root in F and defines the extension."""
     F = A.ring
     if isinstance(given, str):
         given = _read(A, given)
@@ -112,7 +115,7 @@ def _trace_and_norm(A: Parent[E], given: object) -> tuple[E, E]:
 
 
 def _read(A: Parent, text: str) -> object:
-    """Return what a text means: an element of F, a field, or a polynomial in another variable."""
+    """Return the value of a text: an element of F, a field, or a polynomial in another variable."""
     F, typed, text = A.ring, text, plain_element(text)
     words = {*re.findall(r"[^\W\d]\w*", text)} - {*F.names(), *F.functions()}
     if not words:
@@ -129,7 +132,7 @@ def _read(A: Parent, text: str) -> object:
 
 
 def _coefficients(given: object) -> list[object] | None:
-    """Return the coefficients, low degree first, of a polynomial of ours or of flint's, or of a list."""
+    """Return the coefficients, low degree first, of a polynomial of hfield or flint, or of a list."""
     if isinstance(given, list | tuple):
         return list(given)
     if hasattr(given, "coeffs"):
@@ -155,7 +158,7 @@ def _has_root(F: Ring[E], t: E, n: E) -> bool:
 
 
 def _relative(F: Ring[E], L: Ring) -> list[E]:
-    """Return the polynomial over F of the generator of a field L above it: of degree 2."""
+    """Return the quadratic polynomial over F of the generator of an extension L."""
     refusal = RingError(f"{shorten(L.name)} is not a quadratic extension of {F.name}")
     if F.characteristic != L.characteristic:
         raise refusal
@@ -183,7 +186,7 @@ def _relative(F: Ring[E], L: Ring) -> list[E]:
 
 
 def _absolute(L: Ring) -> list[object]:
-    """Return the coefficients over the prime field of the polynomial of the generator, () where not known."""
+    """Return the coefficients over the prime field of the generator's polynomial, () if it is not known."""
     if hasattr(L, "polynomial"):
         return list(L.polynomial.coeffs())
     if (

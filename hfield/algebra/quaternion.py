@@ -57,7 +57,8 @@ Number: TypeAlias = int | float | Fraction | str
 """What every ring reads as one scalar, besides its own elements."""
 
 _blank: Callable[[type[Quaternion]], Quaternion] = object.__new__
-# The methods that numpy's functions call, and those of operators whose left operand is an array of numpy.
+# The methods that numpy's functions call, and the methods for operators whose left operand is a
+# numpy array.
 _UFUNCS = {
     "absolute": "__abs__", "exp": "exp", "log": "log", "sqrt": "sqrt", "conjugate": "conjugate",
     "negative": "__neg__", "positive": "__pos__",
@@ -121,10 +122,10 @@ class Parent(Protocol[E]):
 class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
-    Elements are made by calling their algebra. The four coordinates are elements of the base ring,
-    or four arrays of one shape, and then every operation is elementwise. Ints and Fractions mix in
-    as multiples of e, elements of the base ring too. Elements of two algebras never mix:
-    arithmetic raises :class:`MixedParentsError`, and ``==`` between them is False.
+    Call the algebra to make its elements. The four coordinates are elements of the base ring, or four arrays
+    of one shape; operations on arrays are elementwise. Ints, Fractions and elements of the base ring are
+    converted to multiples of e. Elements of two different algebras never mix: arithmetic raises
+    :class:`MixedParentsError`, and ``==`` is False.
 
     >>> from hfield import H
     >>> q = H("QQ")(1, 2, 0, 1)
@@ -132,11 +133,12 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     (True, 1/6 - 1/3*i - 1/6*k)
     """
 
-    # Only the storage _how reads _stored; coordinates are computed when they are read.
-    # No __setattr__ or __delattr__ of its own: they would make every new element slower.
+    # Only the storage _how reads _stored; coordinates are computed when they are read. The class
+    # has no __setattr__ or __delattr__ of its own, because they would make every new element
+    # slower.
     __slots__ = ("_algebra", "_how", "_stored")
     foreign_names = ELEMENT
-    _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
+    _op_priority = 20.0  # for x * q with a sympy x, for which q is not a quaternion
 
     _algebra: Parent[E]
     _how: Storage[object, E]
@@ -155,7 +157,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
 
     @property
     def algebra(self) -> Parent[E]:
-        """The algebra of which it is an element."""
+        """The algebra of this element."""
         return self._algebra
 
     @algebra.setter
@@ -200,12 +202,12 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return Quaternion(self._algebra, (w, x, y, z))
 
     def _computed(self, coordinates: Coordinates) -> Quaternion[E]:
-        """Return the element with coordinates that were computed for it, of which no copy is needed."""
+        """Return an element with newly computed coordinates, without copying them."""
         how = self._how
         return from_stored(self._algebra, how, how.encode(coordinates))
 
     def _alike(self, stored: object) -> Quaternion[E]:
-        """Return an element with another stored value in the same storage."""
+        """Return an element in the same storage with another stored value."""
         return from_stored(self._algebra, self._how, stored)
 
     def _operand(self, other: object, operation: str) -> Quaternion[E]:
@@ -361,7 +363,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self._alike(self._how.power(base._stored, abs(n)))
 
     def _real_power(self, n: float | Fraction) -> Quaternion[E]:
-        """Return the principal power: of any exponent over RDF, of rational ones over functions of angles.
+        """Return the principal power, with any exponent over RDF and a rational one over functions of angles.
 
         Over other exact rings the exponent is a multiple of 1/2.
         """
@@ -420,7 +422,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         """Support numpy's ``abs``, ``exp``, ``log``, ``sqrt``, and ``array * q`` as a product of
         quaternions.
 
-        Without it numpy would distribute ``array * q`` over the entries of the array.
+        Otherwise numpy would multiply each entry of the array by q separately.
         """
         if method == "__call__" and not options:
             if len(inputs) == 1 and ufunc.__name__ in _UFUNCS:
@@ -448,8 +450,8 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def inverse(self) -> Quaternion[E]:
         """Return ``q⁻¹ = conj(q)/N(q)`` (Definition 4).
 
-        Raises :class:`NotInvertibleError`, a ZeroDivisionError, where the norm is not a unit; the
-        message shows some y ≠ 0 with q·y = 0 where there is one.
+        Raises :class:`NotInvertibleError`, a ZeroDivisionError, if the norm is not a unit; the message shows
+        some y ≠ 0 with q·y = 0 if there is one.
         """
         how = self._how
         stored = how.inverse(self._stored)
@@ -468,11 +470,13 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     @overload
     def is_zero(self) -> bool: ...
     def is_zero(self) -> Any:
-        """Return whether the quaternion is 0; of an array, which entries are, as a bool array."""
+        """Return whether the quaternion is 0; for an array, a bool array with one entry for each
+        quaternion.
+        """
         return self._how.is_zero(self._stored)
 
     def _single(self) -> tuple[Ring[E], Constants[E], Coordinates[E]]:
-        """Return the arguments that functions of ``structure`` take."""
+        """Return the arguments that functions of ``structure`` expect."""
         if self.is_batch:
             raise CoercionError(
                 "expected a single quaternion, found an array: take one, q[n], or loop"
@@ -499,7 +503,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return x, y, z
 
     def dot(self, other: object) -> E:
-        """Return the scalar product of the vector parts, the negative of the scalar part of their product.
+        """Return the scalar product of the vector parts: minus the scalar part of their product.
 
         In Hamilton's algebra it is ``x₁x₂ + y₁y₂ + z₁z₂`` (thesis 1.4.2).
 
@@ -513,7 +517,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return -product.scalar_part
 
     def cross(self, other: object) -> Quaternion[E]:
-        """Return the vector product of the vector parts, the vector part of their product (thesis 1.4.2)."""
+        """Return the vector product of the vector parts: the vector part of their product (thesis 1.4.2)."""
         return (self.vector_part * self._operand(other, "multiply").vector_part).vector_part
 
     def matrix(
@@ -521,9 +525,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     ) -> tuple[tuple[E, ...], ...]:
         """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n).
 
-        With ``side="right"`` it is that of ``p ↦ p·q``. With ``over``, a field that contains the base ring
-        and splits the algebra, it is the 2 × 2 matrix of q there (thesis 1.4.3); :class:`CoercionError`
-        says so where the algebra stays a division algebra.
+        ``side="right"`` returns the matrix of ``p ↦ p·q``. ``over``, a field that contains the base ring and
+        splits the algebra, returns the 2 × 2 matrix of q over it (thesis 1.4.3). Raises
+        :class:`CoercionError` if the algebra stays a division algebra over that field.
 
         >>> from hfield import H
         >>> H("QQ")(1, 2, 3, 4).matrix(over="QQ(I)")
@@ -540,9 +544,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def rotation_matrix(self) -> tuple[tuple[E, ...], ...]:
         """Return the 3 × 3 matrix of ``v ↦ q·v·q⁻¹`` on i, j, k, for i² = a and j² = b: columns are images.
 
-        It is exact. M satisfies MᵀGM = G for the diagonal matrix G of −a, −b, ab, and det M = 1. Raises
-        :class:`NotInvertibleError` unless q is a unit, :class:`CoercionError` for i² = a + t·i with t ≠ 0,
-        where the elements without scalar part are not mapped to such.
+        The matrix M is exact, with MᵀGM = G for the diagonal matrix G of −a, −b, ab, and det M = 1. Raises
+        :class:`NotInvertibleError` unless q is a unit. Raises :class:`CoercionError` if i² = a + t·i with t ≠
+        0, because conjugation by q then does not preserve the span of i, j, k.
 
         >>> from hfield import H
         >>> H("QQ(t)")("1 + t*k").rotation_matrix()[0]
@@ -561,10 +565,10 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def subs(self, values: Substitution | None = None, /, **named: object) -> Quaternion:
         """Return q with values substituted for variables, simultaneously, also in the structure constants.
 
-        Variables are symbols of sympy or names; values whatever the ring reads. If every variable has a value
-        the result lies over the ring of constants, or over RR or CC where a value is algebraic; else over the
-        same ring. Raises :class:`CoercionError` for other names and values, and :class:`NotInvertibleError`,
-        a ZeroDivisionError, at a pole.
+        Variables are sympy symbols or names; values are anything that the ring can read. If every variable
+        has a value, the result lies over the ring of constants, or over RR or CC if a value is algebraic;
+        otherwise over the same ring. Raises :class:`CoercionError` for other names and values, and
+        :class:`NotInvertibleError`, a ZeroDivisionError, at a pole.
 
         >>> from hfield import H
         >>> q = H("QQ(a,b)")("a + i/b")
@@ -577,8 +581,8 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def diff(self, variable: object) -> Quaternion[E]:
         """Return the derivative of the coordinates by a variable, a symbol of sympy or a name.
 
-        Raises :class:`CoercionError` for what is no variable of the ring, and where a structure constant
-        depends on it: then this is no derivation.
+        Raises :class:`CoercionError` for anything but a variable of the ring, and if a structure constant
+        depends on the variable, because the result would not be a derivation.
 
         >>> from hfield import H
         >>> H("QQ(t)")("t^2 + i/t").diff("t")
@@ -633,7 +637,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     @overload
     def change_ring(self, ring: str) -> Quaternion: ...
     def change_ring(self, ring: Ring | str) -> Quaternion:
-        """Return q in the algebra with the same constants over ``ring``, which must contain them."""
+        """Return q in the algebra with the same constants over ``ring``, which must contain the base ring's
+        constants.
+        """
         A = self.algebra.change_ring(ring)
         if not (self.ring.is_exact or A.ring.is_exact):
             return A(*self.coordinates)  # floats are floats, of arrays too
@@ -646,9 +652,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     @overload
     def __abs__(self) -> E: ...
     def __abs__(self) -> object:
-        """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); of an array elementwise.
+        """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); elementwise on arrays.
 
-        Over functions of angles it is the root that is positive where all angles are small and positive.
+        Over functions of angles the result is the root that is positive for all small positive angles.
 
         Raises :class:`NoSolutionError` where the base ring has no such root, and :class:`RingError` over
         rings without an ordering.
@@ -664,11 +670,11 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def polar(self) -> Polar[E]:
         """Return the modulus r, the axis n and the angle θ with ``q = r·(cos θ + n·sin θ)``, ``n² = −1``.
 
-        The angle is in [0, π], in radians; :meth:`QuaternionAlgebra.from_polar` is the inverse. It is
-        computed over RDF, of arrays too, and over RR where the angle is a rational multiple of π (thesis
-        1.4.4). Over functions of angles it is a sum of multiples of these and of π, the first of them
-        positive. Raises :class:`NoSolutionError` where the part of trace 0 has no negative square or the
-        ring no root of it, and :class:`CoercionError` for another angle.
+        The angle is in radians, in [0, π]; :meth:`QuaternionAlgebra.from_polar` is the inverse. The form is
+        computed over RDF (also of arrays), and over RR if the angle is a rational multiple of π (thesis
+        1.4.4). Over functions of angles, θ is a rational combination of the angles and π, with a positive
+        first coefficient. Raises :class:`NoSolutionError` if the trace-0 part has no negative square or the
+        ring has no root of it, and :class:`CoercionError` for other angles.
 
         >>> from hfield import H
         >>> H("RR")(1, 1, 1, 1).polar()
@@ -680,9 +686,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return Polar(r, self._computed(n), theta)
 
     def exp(self) -> Quaternion[E]:
-        """Return the sum of ``qⁿ/n!``: over RDF, of arrays too, and exactly over RR.
+        """Return the sum of ``qⁿ/n!``, over RDF (also of arrays) and exactly over RR.
 
-        Over functions of angles t it is that of products n·t, of an axis with ``ring.angle("t")``. Raises
+        Over functions of angles it is defined for products n·t of an axis n with ``ring.angle("t")``. Raises
         :class:`RingError` over other rings.
 
         >>> from hfield import H
@@ -694,9 +700,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def log(self) -> Any:  # a Quaternion, over functions of angles an AxisAngle
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
-        Over functions of angles, of a q of modulus 1, it is the product n·θ of axis and angle of
-        :meth:`polar`, which has ``exp()`` and multiples, and is not an element of the algebra. Raises
-        :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
+        Over functions of angles, for q of modulus 1, it is the product n·θ of the axis and angle from
+        :meth:`polar`. This product has ``exp()`` and multiples, but is not an element of the algebra. Raises
+        :class:`NoSolutionError` for 0, for negative scalars, and if q has a negative real eigenvalue.
 
         >>> from hfield import H
         >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]
@@ -713,9 +719,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self._computed(analysis.log(self.ring, self.algebra.constants, self.coordinates))
 
     def sqrt(self) -> Quaternion[E]:
-        """Return the square root of positive trace, or 0 for 0; :meth:`square_roots` has all.
+        """Return the square root of positive trace, or 0 for 0; :meth:`square_roots` returns all roots.
 
-        Raises :class:`NoSolutionError` where there is none.
+        Raises :class:`NoSolutionError` if there is no such root.
 
         >>> from hfield import H
         >>> H("QQ").parse("2*i").sqrt(), H("RR").parse("i") ** 0.5
@@ -732,8 +738,8 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def roots(self, n: int) -> Any:
         """Return all x with ``xⁿ = q``, as the :class:`Roots` of a polynomial.
 
-        Of an array over RDF: an array of shape ``(n, *shape)`` of the roots on each entry's own axis. Raises
-        :class:`CoercionError` unless n is a positive int.
+        For an array over RDF, return an array of shape ``(n, *shape)``: the roots in the plane of 1 and each
+        entry's axis. Raises :class:`CoercionError` unless n is a positive int.
 
         >>> from hfield import H
         >>> H("RR").parse("-1").roots(2).spheres      # all q of trace 0 and norm 1
@@ -767,9 +773,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def annihilator(self) -> Quaternion[E] | None:
         """Return some nonzero y with ``q·y = 0``, or None if q is not a zero divisor.
 
-        q is one exactly when its norm is 0 or a zero divisor of the base ring: then ``conj(q)``
-        times an annihilator of the norm serves, and where that vanishes, an annihilator of all of
-        the coordinates of ``conj(q)``.
+        q is a zero divisor if and only if its norm is 0 or a zero divisor of the base ring. Then ``conj(q)``
+        times an annihilator of the norm works, unless it is 0; in that case an annihilator of all coordinates
+        of ``conj(q)`` works.
         """
         ring, c, q = self._single()
         s = ring.annihilator(product.norm(c, q))
@@ -780,7 +786,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self.algebra.scalar(s) if y.is_zero() else y
 
     def _why_no_inverse(self) -> str:
-        """Say why this single quaternion has no inverse."""
+        """Return the reason why this single quaternion has no inverse."""
         ring, c, q = self._single()
         if all(map(ring.is_zero, q)):
             return f"cannot invert 0 in {self.algebra}"
@@ -793,8 +799,8 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def order(self) -> int | None:
         """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
 
-        Raises :class:`NotInvertibleError` unless q is a unit, and :class:`UndecidedError` where it is not
-        known: for some transcendental numbers, over infinite rings of one's own, over RDF, and where a
+        Raises :class:`NotInvertibleError` unless q is a unit. Raises :class:`UndecidedError` if the order is
+        not known: for some transcendental numbers, over user-defined infinite rings, over RDF, and if a
         factorisation is out of reach.
 
         >>> from hfield import H
@@ -808,7 +814,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def minimal_polynomial(self) -> Coefficients:
         """Return the coefficients, low degree first, monic: ``(−w, 1)`` or ``(N(q), −tr(q), 1)``.
 
-        They are a tuple that shows as the polynomial, in X.
+        The result is a tuple that is displayed as a polynomial in X.
 
         >>> from hfield import H
         >>> H("QQ")(1, 2, 0, 1).minimal_polynomial()
@@ -820,7 +826,9 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self.characteristic_polynomial()
 
     def characteristic_polynomial(self) -> Coefficients:
-        """Return the reduced one, ``x² − tr(q)·x + N(q)``: its coefficients, low degree first."""
+        """Return the coefficients of the reduced characteristic polynomial ``x² − tr(q)·x + N(q)``, low
+        degree first.
+        """
         ring, constants, q = self._single()
         return Coefficients(ring, structure.characteristic_polynomial(ring, constants, q))
 
@@ -833,10 +841,10 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return structure.is_idempotent(*self._single())
 
     def square_roots(self) -> SquareRoots[E]:
-        """Return the x with ``x² = q``, verified by squaring. The base ring must be a field.
+        """Return all x with ``x² = q``, verified by squaring. The base ring must be a field.
 
-        Raises :class:`UndecidedError` where square roots of the base ring, or whether an element of
-        given trace and norm exists, are not decided.
+        Raises :class:`UndecidedError` if the base ring does not decide square roots, or does not decide
+        whether an element of given trace and norm exists.
 
         >>> from hfield import H
         >>> list(H("QQ").parse("2*i").square_roots())
@@ -845,7 +853,8 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return SquareRoots(self, structure.square_roots(*self._single()))
 
     def conjugacy(self, other: object) -> Verdict[Quaternion[E]]:
-        """Return whether ``x·q·x⁻¹ = other`` has a solution; ``element`` is one, ``reason`` says why not.
+        """Return whether ``x·q·x⁻¹ = other`` is solvable; ``element`` is a solution x, ``reason`` says why
+        there is none.
 
         Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
         over a ring that is not a field.
@@ -863,10 +872,10 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return Verdict(found.value, found.reason, x)
 
     def conjugator(self, other: object) -> Quaternion[E] | None:
-        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` gives the reason.
+        """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` also returns the reason.
 
-        In a central simple algebra there is one exactly when both have the same minimal polynomial
-        (Skolem and Noether).
+        In a central simple algebra a unit exists if and only if both have the same minimal polynomial (Skolem
+        and Noether).
         """
         return self.conjugacy(other).element
 
@@ -904,7 +913,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self._how
 
     def units(self) -> np.ndarray:
-        """Return a bool array: which entries have an inverse."""
+        """Return a bool array that marks the entries with an inverse."""
         return self._array("entries").units(self._stored)
 
     def sum(self, axis: int | None = None) -> Quaternion[E]:
@@ -918,9 +927,10 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self._one_or_many(how, how.total(self._stored, axis))
 
     def product(self, axis: int | None = None) -> Quaternion[E]:
-        """Return the product along an axis, or of all entries, from left to right in their order.
+        """Return the product along an axis, or of all entries, from left to right.
 
-        Pairs of neighbours are multiplied until one is left, so an array of n takes log n calls.
+        Neighbouring pairs are multiplied until one element is left, so an array of length n takes about log₂
+        n calls.
 
         >>> from hfield import H
         >>> H("QQ")(0, [1, 0, 0], [0, 1, 0], [0, 0, 1]).product()  # i·j·k
@@ -930,7 +940,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
         return self._one_or_many(how, how.ordered_product(self._stored, axis))
 
     def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion[E]:
-        """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
+        """Return the same entries in another shape, as in numpy. Raises :class:`CoercionError`."""
         how = self._array("shape")
         sizes: Any = shape[0] if len(shape) == 1 else shape
         try:
@@ -941,15 +951,15 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
             ) from None
 
     def to_array(self, axis: int = 0) -> np.ndarray:
-        """Return all coordinates as one numpy array, which ``A.from_array`` takes back.
+        """Return all coordinates as one numpy array; ``A.from_array`` converts it back.
 
-        Its shape is ``(4, *shape)``; with ``axis=-1`` it is ``(*shape, 4)``. Over RDF and CDF the numbers
-        are real and complex floats. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
-        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold them. Over ℚ there
-        are five for an element: four numerators over the denominator that comes last, after the basis is
-        scaled to integral structure constants. It is read-only. It is not copied if the
-        array was computed or contains floats. Raises :class:`CoercionError` over other rings, for another
-        axis, and for numbers of more than 64 bits.
+        The shape is ``(4, *shape)``, or ``(*shape, 4)`` with ``axis=-1``. Over RDF and CDF the entries are
+        real and complex floats. Over ℤ/n they are residues, over GF(pⁿ) labels (the base-p digits of an
+        element, as in galois), and over ℤ int64, whatever the width of the stored numbers. Over ℚ there are
+        five entries per element: four numerators and a common denominator last, in a basis that is scaled to
+        integral structure constants. The result is read-only; it is not copied if the array was computed or
+        contains floats. Raises :class:`CoercionError` over other rings, for another axis, and for numbers of
+        more than 64 bits.
 
         >>> from hfield import H
         >>> H("GF(9)")([1, 2], "x", 0, 0).to_array().tolist()
@@ -979,7 +989,7 @@ class Quaternion(Hinted, PrintedBySympy, Generic[E]):
     def text_for(self, system: str) -> str:
         """Write q as code for ``"sage"``, ``"magma"`` or ``"pari"``; ``A.read(text)`` reads it.
 
-        PARI's elements are columns for an algebra ``A.text_for("pari")``. Raises :class:`RingError` as
+        For PARI, elements are columns over the algebra ``A.text_for("pari")``. Raises :class:`RingError` as
         :meth:`QuaternionAlgebra.text_for` does, and :class:`CoercionError` for an array.
 
         >>> from hfield import H
@@ -1042,15 +1052,17 @@ class Polar(NamedTuple, Generic[E]):
 
 
 class TooManyError(NotFiniteError, OverflowError):
-    """The number exceeds ``sys.maxsize``; a TypeError, which ``list`` ignores."""
+    """The number of elements exceeds ``sys.maxsize``; this error is also a TypeError, which
+    ``list`` ignores.
+    """
 
 
 class SquareRoots(Generic[E]):
-    """The square roots of ``element``: ``x in roots`` tests one, iteration lists the known ones.
+    """The square roots of ``element``: ``x in roots`` tests x, iteration yields the listed roots.
 
-    All are listed when they are finitely many. Over an infinite field a scalar may have a whole
-    quadric of roots, the elements of trace 0 and norm −s: then ``is_finite`` is False and of these
-    only one and its negative are listed.
+    If there are finitely many, all are listed. Over an infinite field a scalar s may have infinitely many
+    roots: the quadric of elements of trace 0 and norm −s. Then ``is_finite`` is False, and only one root of
+    the quadric and its negative are listed.
     """
 
     def __init__(self, element: Quaternion[E], found: Found) -> None:
@@ -1061,7 +1073,7 @@ class SquareRoots(Generic[E]):
 
     @property
     def is_finite(self) -> bool:
-        """Whether there are finitely many, and iteration lists all of them."""
+        """Whether there are finitely many roots, so that iteration yields all of them."""
         return self.quadric is None or self.element.ring.order is not None
 
     def __bool__(self) -> bool:
@@ -1087,10 +1099,10 @@ class SquareRoots(Generic[E]):
         return (A(*x) for x in structure.quadric(A.ring, A.constants, self.element.scalar_part))
 
     def __len__(self) -> int:
-        """Return how many there are.
+        """Return the number of roots.
 
-        Raises :class:`NotFiniteError`, also an OverflowError, where they are infinitely many, or more than
-        ``len`` can tell; ``A.count(square=s)`` tells all numbers over finite fields.
+        Raises :class:`NotFiniteError`, also an OverflowError, if there are infinitely many or more than
+        ``len`` can return; over finite fields ``A.count(square=s)`` returns any number.
         """
         if not self.is_finite:
             raise TooManyError(f"{shorten(self.element)} has infinitely many square roots")
@@ -1110,7 +1122,7 @@ class SquareRoots(Generic[E]):
 
 
 def product_plus(p: Quaternion[E], q: Quaternion[E], r: Quaternion[E]) -> Quaternion[E]:
-    """Return ``p * q + r``, over arrays of a finite ring in one loop."""
+    """Return ``p * q + r``; arrays over a finite ring are computed in one loop."""
     together: Callable[[object, object, object], object] | None = getattr(
         p._how, "product_plus", None
     )
@@ -1120,7 +1132,7 @@ def product_plus(p: Quaternion[E], q: Quaternion[E], r: Quaternion[E]) -> Quater
 
 
 def from_stored(algebra: Parent[E], how: Storage[object, E], stored: object) -> Quaternion[E]:
-    """Return the element whose value in the storage ``how`` of this algebra is ``stored``."""
+    """Return the element of this algebra with the value ``stored`` in the storage ``how``."""
     q: Quaternion[E] = _blank(Quaternion)
     q._algebra = algebra
     q._how = how
@@ -1133,7 +1145,7 @@ def _refuse_change() -> NoReturn:
 
 
 def check_axis(axis: object) -> None:
-    """Refuse an axis of coordinates that is neither the first nor the last."""
+    """Raise CoercionError unless the axis of coordinates is the first or the last."""
     if axis not in (0, -1):
         raise CoercionError(
             f"axis={axis!r}: the coordinates lie along the first axis, 0, or along the last, -1"

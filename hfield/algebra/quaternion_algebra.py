@@ -82,7 +82,7 @@ if TYPE_CHECKING:
     from hfield.orders.ternary_forms import TernaryForm
     from hfield.polynomials.polynomial import Polynomials
 
-LISTED = 10_000  # elements of a ring that are kept, to be gone through again
+LISTED = 10_000  # elements of a ring that are stored, to be iterated again
 MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
 
 
@@ -93,9 +93,9 @@ class SupportsQuaternions(Protocol):
 
 
 class Opposite(NamedTuple, Generic[E]):
-    """The opposite algebra, in which p and q have the product q·p, and the isomorphism onto it.
+    """The opposite algebra, in which the product of p and q is q·p, and the isomorphism onto it.
 
-    ``isomorphism`` maps the given algebra onto ``algebra`` and turns products round, φ(pq) = φ(q)·φ(p).
+    ``isomorphism`` maps the given algebra onto ``algebra`` and reverses products: φ(pq) = φ(q)·φ(p).
     """
 
     algebra: QuaternionAlgebra[E]
@@ -103,14 +103,14 @@ class Opposite(NamedTuple, Generic[E]):
 
 
 class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
-    """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
+    """The quaternion algebra ``(a,b|R)``; with t = 1, the Artin–Schreier algebra ``[a,b|R)``.
 
-    ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
-    are rational numbers, or elements of one number field; a text names the algebra, and an integer alone is
-    the reduced discriminant of the algebra, over ℚ. Raises :class:`RingError` for what is none of these.
+    ``ring`` is a base ring or its text; ``a, b, t`` are values that the ring can read. Without a ring, a and
+    b are rational numbers or elements of one number field. A single text names the algebra, and a single
+    integer is the reduced discriminant of an algebra over ℚ. Raises :class:`RingError` for other arguments.
 
     Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
-    may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
+    may be arrays of one shape. Any a and b are allowed; if one is 0 the algebra is degenerate.
 
     >>> A = QuaternionAlgebra("QQ", -1, -1)
     >>> e, i, j, k = A.basis
@@ -162,10 +162,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     ) -> QuaternionAlgebra:
         """Return an algebra over ℚ, a number field or GF(q)(t) that ramifies exactly at these places.
 
-        Over ℚ they are primes and ``"inf"``, which may be left out or said by ``infinite``, as places ramify
-        in even number; over other fields they are places or their texts. Raises :class:`RingError` for
-        what is no such place or comes twice, for an odd number of places, and for another field, and
-        :class:`UndecidedError` where no constants were found.
+        Over ℚ the places are primes and ``"inf"``. The infinite place may be omitted, as its ramification
+        follows from the parity, or given by ``infinite``. Over other fields they are places or their texts.
+        Raises :class:`RingError` for anything but a place, for a repeated place, for an odd number of places,
+        and for another field; and :class:`UndecidedError` if no constants were found.
 
         >>> QuaternionAlgebra.from_ramification("QQ", [2, 3]).discriminant()
         6
@@ -198,7 +198,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     # --- elements ------------------------------------------------------------------------------
 
     def _here(self) -> tuple[Ring[E], Constants[E]]:
-        """Return the arguments that functions of ``structure`` take."""
+        """Return the arguments that functions of ``structure`` expect."""
         return self.ring, self.constants
 
     @overload
@@ -212,10 +212,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def __call__(self, *coordinates: object) -> Quaternion:
         """Make an element from four coordinates, a scalar, a text, a quaternion or a list of four scalars.
 
-        Each of four coordinates may be an array. A rotation, ours or scipy's, gives its unit quaternions over
-        RDF. Other lists and arrays are refused, since they could be scalars as well as quaternions:
-        :meth:`from_array` makes arrays of quaternions, :meth:`scalar` of scalars. Raises
-        :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
+        Each of four coordinates may be an array. A rotation of rotation or scipy becomes its unit quaternion
+        over RDF. Other lists and arrays are rejected, since their entries could be scalars or quaternions;
+        :meth:`from_array` makes arrays of quaternions, and :meth:`scalar` arrays of scalars. Raises
+        :class:`CoercionError` for anything else, and :class:`NotationError` for unreadable text.
         """
         if len(coordinates) == 4:
             return self._element(coordinates)
@@ -301,9 +301,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         names: Mapping[str, Quaternion[E]] | None = None,
         functions: Mapping[str, Callable[..., Quaternion]] | None = None,
     ) -> Quaternion[E]:
-        """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
-        ``conj norm trace inv scalar vector comm``; names and functions may be added. Raises
-        :class:`NotationError`.
+        """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and ``conj norm
+        trace inv scalar vector comm``; ``names`` and ``functions`` add others. Raises :class:`NotationError`.
         """
         known = {name: self(x) for name, x in self.ring.names().items()}
         known |= dict(zip(BASIS, self.basis, strict=True)) | dict(names or {})
@@ -405,12 +404,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     # --- arrays --------------------------------------------------------------------------------
 
     def from_array(self, values: object, axis: int = 0, copy: bool = True) -> Quaternion:
-        """Return the array of quaternions with these numbers, as :meth:`Quaternion.to_array` gives them.
+        """Return the array of quaternions with these numbers, in the format of :meth:`Quaternion.to_array`.
 
-        The coordinates lie along the first axis, or with ``axis=-1`` along the last: an array of shape
-        (N, 4) has N quaternions. Numbers of one element give that element. Numbers are
-        copied. With ``copy=False`` an array of the float type of the ring is shared and must not be changed
-        afterwards. Raises :class:`CoercionError` for an array that represents no elements.
+        The coordinates lie along the first axis, or along the last with ``axis=-1``: an array of shape (N, 4)
+        has N quaternions. The numbers of a single element return that element. Numbers are copied; with
+        ``copy=False`` an array of the ring's float type is shared and must not be changed afterwards. Raises
+        :class:`CoercionError` for an array that does not represent elements.
 
         >>> import numpy as np
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
@@ -431,7 +430,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     ) -> Quaternion[E]:
         """Return the ordered product of an array, or of a list of elements, from left to right.
 
-        An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
+        An array is multiplied along an axis, or as a whole in order, in a balanced tree of neighbouring
+        products.
 
         >>> H("QQ").product(["i", "j", "k"])
         -1
@@ -487,13 +487,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return QuaternionAlgebra(L, a, b, t)
 
     def euler(self, sequence: str, angles: Iterable[object]) -> Quaternion[E]:
-        """Return the product of the rotations about i, j, k by Euler angles, in Hamilton's algebra.
+        """Return the product of rotations about i, j, k by Euler angles, in Hamilton's algebra.
 
-        ``sequence`` has the letters XYZ (intrinsic: each about an axis already turned) or xyz (extrinsic),
-        and there are as many angles: symbols, texts such as ``"2*t + pi/2"``, multiples of π. The ring has
-        cosines and sines of their halves. The matrix is ``.rotation_matrix()``.
+        ``sequence`` consists of the letters XYZ (intrinsic: about the already rotated axes) or xyz
+        (extrinsic), one for each angle. Angles are symbols, texts such as ``"2*t + pi/2"``, or multiples of
+        π. The ring must have cosines and sines of the half angles. ``.rotation_matrix()`` of the result is
+        the matrix.
 
-        Raises :class:`CoercionError` for what is no such sequence, and where the ring has no such cosines.
+        Raises :class:`CoercionError` for an invalid sequence, and if the ring lacks these cosines.
 
         >>> A = H("QQ(cos(t/2),sin(t/2))")
         >>> A.euler("Z", ["t"]), A.euler("ZX", ["pi", "t"])
@@ -532,7 +533,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return QuaternionAlgebra(ring, a, b, t), value
 
     def subs(self, values: Substitution | None = None, /, **named: object) -> QuaternionAlgebra:
-        """Return the algebra with values put in for variables of its constants, as :meth:`Quaternion.subs`.
+        """Return the algebra with values substituted for variables of its constants, as
+        :meth:`Quaternion.subs`.
 
         >>> QuaternionAlgebra("QQ(a,b)", "a", "b").subs(a=-1, b=-3)
         (-1,-3|QQ)
@@ -540,12 +542,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._substituted(values_given(values, named))[0]
 
     def unknowns(self, names: str) -> Quaternion | tuple[Quaternion[E], ...]:
-        """Return quaternions with unknown coordinates p0 … p3: as many as names, and for one name itself.
+        """Return a quaternion with unknown coordinates p0 … p3 for each name; a single name returns one
+        element.
 
-        They lie in the algebra over the polynomials, over this ring, in the coordinates of all names that
-        were given to this algebra so far. Elements of this algebra, and unknowns of earlier calls, enter it
-        by themselves. One name gives one element. Over fields of functions the coordinates are variables of
-        the field. Raises :class:`RingError` for what is no name, and over rings without such polynomials.
+        The result lies in the algebra over the ring of polynomials in the coordinates of all names given to
+        this algebra so far. Elements of this algebra and earlier unknowns are converted to it automatically.
+        Over fields of functions the coordinates are variables of the field. Raises :class:`RingError` for an
+        invalid name, and over rings without such polynomials.
 
         >>> A = H("QQ"); e, i, j, k = A.basis
         >>> p, q = A.unknowns("p q")
@@ -571,7 +574,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             self._unknowns[name] = joined(*(known[f"{name}{n}"] for n in range(4)))
 
     def _with_unknowns_named(self, names: tuple[str, ...]) -> QuaternionAlgebra:
-        """Return the algebra in which quaternions of these names have unknown coordinates."""
+        """Return the algebra in which the quaternions with these names have unknown coordinates."""
         if names not in self._with_unknowns:
             variables = tuple(f"{name}{n}" for name in names for n in range(4))
             ring = adjoin_variables(self.ring, variables)
@@ -582,13 +585,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._with_unknowns[names]
 
     def _into(self, ring: Ring) -> Callable[[E], Scalar]:
-        """Return the map of scalars into a ring that has more variables."""
+        """Return the map of scalars into a ring with more variables."""
         if not self.ring.variables:
             return ring
         return self.ring.evaluation(ring, ring.names(), embedding)
 
     def _common(self, other: Parent) -> QuaternionAlgebra | None:
-        """Return the algebra of unknowns that contains both, where they are of one algebra, or None."""
+        """Return the algebra of unknowns that contains both algebras, or None if they have
+        different bases.
+        """
         if not isinstance(other, QuaternionAlgebra) or (self._base is None and other._base is None):
             return None
         base = self._base or self
@@ -600,13 +605,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return base._with_unknowns_named(names)
 
     def _include(self, q: Quaternion) -> Quaternion[E]:
-        """Return an element of the algebra without these unknowns, or with fewer, as one of this."""
+        """Convert an element of the algebra with fewer or none of these unknowns to this algebra."""
         A = q.algebra
         assert isinstance(A, QuaternionAlgebra), "there is a common algebra"
         return q if self == A else self(*map(A._into(self.ring), q.coordinates))
 
     def explain_product(self) -> None:
-        """Print the function that multiplies two elements: the general formula with these constants.
+        """Print the function that multiplies two elements: the general formula with this algebra's constants.
 
         >>> QuaternionAlgebra("GF(7)", -1, -3).explain_product()
         # Storage of elements over ℤ/n as four ints between 0 and n − 1, of flint for large n.
@@ -627,10 +632,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def center(self) -> tuple[Quaternion[E], ...]:
         """Return a basis of the centre, e first, found by linear algebra in the base ring (thesis 1.1.2).
 
-        Over a ring over which it is not free these are generators, none superfluous: every central element
-        is a combination of them, with coefficients that are not unique. Over ℤ/n the centre is the direct
-        sum of what each of them generates. Raises :class:`UndecidedError` over infinite rings that are not
-        domains, and over rings of one's own, where elimination meets no units.
+        If the centre is not free over the ring, the result is an irredundant list of generators: every
+        central element is a combination of them, with coefficients that are not unique. Over ℤ/n the centre
+        is the direct sum of the cyclic modules that they generate. Raises :class:`UndecidedError` over
+        infinite rings that are not domains, and over user-defined rings if elimination finds no unit pivots.
 
         >>> H("QQ").center(), H("ZZ/4").center()
         ((1,), (1, 2*i, 2*j, 2*k))
@@ -640,15 +645,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     centre = center
 
     def is_commutative(self) -> bool:
-        """Return whether p·q = q·p always; for H(F) exactly when 2 = 0 in F (thesis 1.1.2)."""
+        """Return whether p·q = q·p for all p and q; for H(F) if and only if 2 = 0 in F (thesis 1.1.2)."""
         return structure.is_commutative(*self._here())
 
     def radical(self) -> tuple[Quaternion[E], ...]:
-        """Return a basis of the Jacobson radical: () where it is 0, as over a field for a semisimple algebra.
+        """Return a basis of the Jacobson radical; () if it is 0, as for a semisimple algebra over a field.
 
-        Over a ring over which it is not free these are generators, as in :meth:`center`. Raises
-        :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings, over finite
-        ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
+        If the radical is not free over the ring, the result is a list of generators, as in :meth:`center`.
+        Raises :class:`UndecidedError` over infinite rings other than fields, ℤ and polynomial rings; over
+        finite rings, other than ℤ/n, that are too large to enumerate; and over ℤ/n if n cannot be factored.
 
         >>> H("GF(2)").radical(), H("ZZ/9").radical()
         ((1 + i, 1 + j, 1 + k), (3, 3*i, 3*j, 3*k))
@@ -656,12 +661,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
     def quotient(self, elements: Iterable[object]) -> AlgebraQuotient:
-        """Return the quotient by the two-sided ideal that elements generate, over a field, and the map to it.
+        """Return the quotient by the two-sided ideal generated by elements, over a field, and the map to it.
 
-        The quotient is a :class:`StructureAlgebra` whose basis are the images of some of e, i, j, k, the
-        first that are independent. ``projection(q)`` is the image of q, ``projection.lift(x)`` an element
-        with the image x. Raises :class:`RingError` over a ring that is not a field, :class:`CoercionError`
-        where the quotient is 0.
+        The quotient is a :class:`StructureAlgebra`. Its basis consists of the images of those of e, i, j, k
+        that are independent of the earlier ones. ``projection(q)`` is the image of q, and
+        ``projection.lift(x)`` an element with image x. Raises :class:`RingError` over a ring that is not a
+        field, :class:`CoercionError` if the quotient is 0.
 
         >>> A = QuaternionAlgebra("GF(3)", -1, 0)
         >>> B, phi = A.quotient(A.radical()); A.radical(), B.basis, phi("1 + i + j"), B("i")**2
@@ -672,14 +677,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return quotient(self, elements)
 
     def is_central_simple(self) -> bool:
-        """Return whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
+        """Return whether the algebra is central simple; over a field, whether ``(t² + 4a)·b ≠ 0``."""
         return structure.is_central_simple(*self._here())
 
     def derivations(self) -> tuple[LinearMap[E], ...]:
-        """Return a basis of the derivations, D(pq) = D(p)·q + p·D(q), as linear maps.
+        """Return a basis of the derivations, the linear maps with D(pq) = D(p)·q + p·D(q).
 
-        A central simple algebra has only inner ones, ``q ↦ xq − qx``, a space of dimension 3. Over a ring
-        over which they are not free these are generators, as in :meth:`center`.
+        A central simple algebra has only the inner derivations ``q ↦ xq − qx``, a space of dimension 3. If
+        they are not free over the ring, the result is a list of generators, as in :meth:`center`.
         """
         from hfield.algebra.maps import LinearMap
 
@@ -689,8 +694,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def opposite(self) -> Opposite[E]:
         """Return the opposite algebra and an isomorphism with it.
 
-        It has the same constants, for the map that fixes i and j and sends k = ij to ji turns products
-        round. (The conjugate is another such map.)
+        It has the same constants: the linear map that fixes i and j and sends k = ij to ji reverses products.
+        (Conjugation is another such map.)
 
         >>> B, phi = H("QQ").opposite()
         >>> e, i, j, k = B.basis
@@ -704,13 +709,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
 
     # --- division or splitting -----------------------------------------------------------------
 
-    # ``factors`` may name primes of the constants (over ℚ) or of their norms, where these are too hard to
-    # factor; each is proved prime, or :class:`RingError` is raised.
+    # ``factors`` may contain primes of the constants (over ℚ) or of their norms, if these are too
+    # hard to factor; each is proved prime, or :class:`RingError` is raised.
 
     def zero_norm_element(self, factors: Factors | None = None) -> Quaternion[E] | None:
         """Return a nonzero element of norm 0, or None if it is proved that there is none.
 
-        Raises :class:`UndecidedError` where neither is known; the message says what was tried.
+        Raises :class:`UndecidedError` if neither is known; the message lists the methods that were tried.
         """
         with known_primes(factors):
             found = quadratic_forms.zero_norm(*self._here()).element
@@ -724,8 +729,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def division_or_splitting(self, factors: Factors | None = None) -> Splitting[E] | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
 
-        The first is true, the second false in an ``if``. Raises :class:`CoercionError` for a degenerate
-        algebra, which is neither, and :class:`UndecidedError`.
+        The isomorphism is true in an ``if``, the reason is false. Raises :class:`CoercionError` for a
+        degenerate algebra, for which there is neither, and :class:`UndecidedError`.
         """
         with known_primes(factors):
             return self._split_or_not
@@ -747,7 +752,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Division.of(self, answer)
 
     def split(self, factors: Factors | None = None) -> Splitting[E] | None:
-        """Return an isomorphism with M₂(F), or None for a division algebra; errors as its twin's.
+        """Return an isomorphism with M₂(F), or None for a division algebra; errors as
+        :meth:`division_or_splitting`.
 
         >>> I, J = H("GF(3)").split()
         """
@@ -758,7 +764,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
 
     @cached_property
     def _numeric_splitting(self) -> Splitting[E]:
-        """The splitting by a root of a, rounded."""
+        """The splitting from a rounded square root of a."""
         from hfield.algebra.maps import Splitting
         from hfield.fields.quadratic_forms.isomorphisms.splitting import CoordinateSplitting
 
@@ -767,7 +773,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Splitting.of(self, found)
 
     def _splitting(self) -> Splitting[E]:
-        if self.ring == CDF:  # matrices of floats are computed, and nothing is decided by them
+        if self.ring == CDF:  # matrices of floats are computed, but decide nothing
             return self._numeric_splitting
         answer = self.split()
         if answer is None:
@@ -812,14 +818,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def ramified_places(self, factors: Factors | None = None) -> tuple[Hashable, ...]:
         """Return the places where the algebra stays a division algebra, finite ones first.
 
-        Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
+        Raises :class:`RingError` for a degenerate algebra, and :class:`UndecidedError` over a field without a
+        theory of places.
         """
         return quadratic_forms.ramified_places(self.ring, self.constants, factors)
 
     def discriminant(self, factors: Factors | None = None) -> Any:  # by the field
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
-        Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
+        Over a quadratic field it is an ideal, returned as the tuple of its prime ideals.
         """
         return quadratic_forms.reduced_discriminant(*self._here(), factors)
 
@@ -839,7 +846,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return other.constants
 
     def is_isomorphic(self, other: object, factors: Factors | None = None) -> bool:
-        """Return whether two algebras over one field are isomorphic.
+        """Return whether two algebras over the same field are isomorphic.
 
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
@@ -862,14 +869,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     # --- finite fields -------------------------------------------------------------------------
 
     def count(self, kind: str = "elements", *, norm: object = None, square: object = None) -> int:
-        """Return the number of elements, over a finite ring.
+        """Return the number of elements of a kind, over a finite ring.
 
-        ``kind`` is ``elements``, ``units``, ``nilpotent`` or ``idempotent``; ``norm=n`` asks for those of
-        norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
-        (:func:`hfield.algebra.structure.confirm` confirms them), exhaustion over other finite rings.
-        Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
-        :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
-        there is too much to go through.
+        ``kind`` is ``elements``, ``units``, ``nilpotent`` or ``idempotent``; ``norm=n`` counts the elements
+        of norm n, and ``square=s`` those with square s. Over finite fields and ℤ/n closed formulas are used
+        (:func:`hfield.algebra.structure.confirm` checks them), over other finite rings enumeration. Raises
+        :class:`NotFiniteError`, :class:`CoercionError` for an unknown kind, :class:`UndecidedError` over ℤ/n
+        if n cannot be factored, and :class:`TooLargeError` if there are too many elements to enumerate.
 
         >>> A = H("GF(9)"); A.count(norm=0), A.count("idempotent"), A.count(square=-1)
         (801, 92, 92)
@@ -899,9 +905,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Elements(self, Condition(name, value))
 
     def units(self) -> Elements:
-        """Return the collection of the units: ``len``, ``in``, iteration, ``.array()``, ``.formula``.
+        """Return the collection of units, with ``len``, ``in``, iteration, ``.array()`` and ``.formula``.
 
-        Over an infinite field ``.condition`` describes it and ``.sample(n)`` draws from it.
+        Over an infinite field ``.condition`` describes the collection and ``.sample(n)`` draws random
+        elements.
 
         >>> S = H("GF(3)").units()
         >>> len(S), S.formula, H("GF(3)")(1, 1, 0, 0) in S, next(iter(S))
@@ -910,7 +917,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._collection("units")
 
     def zero_divisors(self) -> Elements:
-        """Return the collection of the zero divisors, 0 among them, as :meth:`units` does.
+        """Return the collection of zero divisors, including 0, as :meth:`units` does.
 
         >>> S = H("GF(7)").zero_divisors(); len(S), S.formula, S[1]
         (385, 'q^3+q^2-q', i + 2*j + 3*k)
@@ -918,7 +925,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._collection("zero divisors")
 
     def idempotents(self) -> Elements:
-        """Return the collection of the q with q² = q, 0 and 1 among them, as :meth:`units` does.
+        """Return the collection of all q with q² = q, including 0 and 1, as :meth:`units` does.
 
         >>> len(H("GF(3)").idempotents()), list(H("ZZ/6").idempotents())[:3]
         (14, [0, 1, 2 + 2*j + 2*k])
@@ -926,7 +933,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._collection("idempotents")
 
     def nilpotents(self) -> Elements:
-        """Return the collection of the q of which some power is 0, as :meth:`units` does.
+        """Return the collection of nilpotent elements, as :meth:`units` does.
 
         >>> list(H("GF(2)").nilpotents())[:4]
         [0, j + k, i + k, i + j]
@@ -934,7 +941,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._collection("nilpotents")
 
     def elements_of_norm(self, n: object) -> Elements:
-        """Return the collection of the elements of norm n, as :meth:`units` does.
+        """Return the collection of elements of norm n, as :meth:`units` does.
 
         >>> len(H("GF(3)").elements_of_norm(1)), H("QQ").elements_of_norm(2).condition
         (24, 'norm(q) == 2')
@@ -944,7 +951,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return self._collection("norm", check_scalar(self, n))
 
     def elements_of_trace(self, s: object) -> Elements:
-        """Return the collection of the elements of trace s, as :meth:`units` does.
+        """Return the collection of elements of trace s, as :meth:`units` does.
 
         >>> len(H("GF(3)").elements_of_trace(1)), len(H("GF(2)").elements_of_trace(1))
         (27, 0)
@@ -969,7 +976,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def special_unit_group(self) -> FiniteUnitGroup:
         """Return the group of elements of norm 1 over a finite ring, as :meth:`unit_group` does.
 
-        ``maximal_order().norm_one_group()``, of an indefinite order, is modulo ±1; this one is not.
+        ``maximal_order().norm_one_group()`` of an indefinite order is taken modulo ±1; this group is not.
 
         >>> H("GF(3)").special_unit_group().structure
         'SL(2,3)'
@@ -979,10 +986,11 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return unit_group(self, special=True)
 
     def conjugacy_classes(self) -> tuple[ConjugacyClass, ...]:
-        """Return the classes of all elements under the units, over a finite ring.
+        """Return the conjugacy classes of all elements under the units, over a finite ring.
 
-        In a split algebra they are the scalars, and the other elements by characteristic polynomial.
-        Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError`.
+        In a split algebra they are the single scalars, and one class of nonscalar elements for each
+        characteristic polynomial. Raises :class:`NotFiniteError` over an infinite ring,
+        :class:`TooLargeError`.
 
         >>> [len(c) for c in H("GF(3)").conjugacy_classes()]
         [1, 1, 1, 8, 6, 12, 12, 8, 6, 12, 8, 6]
@@ -994,7 +1002,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return conjugacy_classes(self, self.unit_group().generators)
 
     def automorphism_group(self) -> AutomorphismGroup:
-        """Return the group of automorphisms over a finite ring that fix the scalars, as maps.
+        """Return the group of automorphisms that fix the scalars, as maps, over a finite ring.
 
         Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError`.
 
@@ -1006,11 +1014,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return AutomorphismGroup(self)
 
     def left_ideals(self) -> tuple[AlgebraIdeal, ...]:
-        """Return all left ideals over a finite field or ℤ/n, 0 and the algebra included, small ones first.
+        """Return all left ideals over a finite field or ℤ/n, by size, from 0 to the whole algebra.
 
-        In a split algebra they are q + 1 points of a projective line, between 0 and all. Over ℤ/n they are
-        found modulo the prime powers of n. Over an infinite field a division algebra has 0 and all; others
-        raise :class:`NotFiniteError`. Raises :class:`RingError` over other rings, :class:`TooLargeError`.
+        In a split algebra over GF(q) there are q + 1 proper nonzero ones, the points of a projective line.
+        Over ℤ/n they are computed modulo the prime powers of n. Over an infinite field a division algebra has
+        the ideals 0 and itself; other algebras raise :class:`NotFiniteError`. Raises :class:`RingError` over
+        other rings, and :class:`TooLargeError`.
 
         >>> [I.dimension for I in H("GF(3)").left_ideals()], len(H("QQ").left_ideals())
         ([0, 2, 2, 2, 2, 4], 2)
@@ -1032,7 +1041,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return ideals(self, "right")
 
     def two_sided_ideals(self) -> tuple[AlgebraIdeal, ...]:
-        """Return all two-sided ideals, as :meth:`left_ideals` does; 0 and all of a central simple algebra.
+        """Return all two-sided ideals, as :meth:`left_ideals` does; a central simple algebra has 0 and
+        itself.
 
         >>> len(H("QQ").two_sided_ideals()), len(H("GF(2)").two_sided_ideals())
         (2, 7)
@@ -1044,9 +1054,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def subalgebras(self, dimension: int = 2) -> tuple[Subalgebra, ...]:
         """Return the subalgebras that contain 1, over a finite field or ℤ/n, up to conjugation by units.
 
-        ``dimension`` is that over the field; over ℤ/n, the least number of generators as a module. Raises
-        :class:`NotFiniteError`, :class:`RingError` over other rings, :class:`TooLargeError`, and
-        :class:`CoercionError` for another dimension than 1 to 4.
+        ``dimension`` is the dimension over the field; over ℤ/n it is the least number of generators as a
+        module. Raises :class:`NotFiniteError`, :class:`RingError` over other rings, :class:`TooLargeError`,
+        and :class:`CoercionError` unless the dimension is between 1 and 4.
 
         >>> [(S.kind, len(S.conjugates)) for S in H("GF(5)").subalgebras(dimension=2)]
         [('split', 15), ('field', 10), ('dual numbers', 6)]
@@ -1056,10 +1066,11 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return subalgebras(self, dimension)
 
     def is_simple(self) -> bool:
-        """Return whether there are no two-sided ideals but 0 and all.
+        """Return whether 0 and the algebra are the only two-sided ideals.
 
-        Over a field it is the same as :meth:`is_semisimple`: a degenerate algebra has a radical, or it is
-        a field, inseparable of degree 4. Over another ring multiples of its ideals are ideals.
+        Over a field this is equivalent to :meth:`is_semisimple`: a degenerate algebra has a nonzero radical,
+        or it is a purely inseparable field extension of degree 4. Over a ring that is not a field no algebra
+        is simple, because the ideals of the ring give two-sided ideals.
 
         >>> H("GF(3)").is_simple(), H("GF(2)").is_simple(), H("ZZ/6").is_simple()
         (True, False, False)
@@ -1077,7 +1088,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return structure.is_semisimple(*self._here())
 
     def is_local(self) -> bool:
-        """Return whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
+        """Return whether the elements that are not units form an ideal. Raises :class:`UndecidedError`.
 
         >>> H("QQ").is_local(), H("GF(3)").is_local(), H("GF(2)").is_local(), H("ZZ/8").is_local()
         (True, False, True, True)
@@ -1085,9 +1096,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return structure.is_local(*self._here())
 
     def graph(self, kind: str) -> list[tuple[Quaternion, Quaternion]]:
-        """Return the edges of a graph on the elements other than 0, over a finite ring, for networkx.
+        """Return the edges of a graph on the nonzero elements over a finite ring, for networkx.
 
-        In the ``"commuting"`` graph p and q are joined when ``p·q = q·p``, among ``"zero-divisors"`` when
+        In the ``"commuting"`` graph p and q are joined if ``p·q = q·p``, in the ``"zero-divisors"`` graph if
         ``p·q = 0`` or ``q·p = 0``. Raises :class:`CoercionError` for another kind, :class:`NotFiniteError`,
         and :class:`TooLargeError` beyond 2500 elements.
 
@@ -1099,18 +1110,18 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return edges(self, kind)
 
     def draw(self, path: object, *, what: str = "product", dark: bool = False) -> None:
-        """Draw a picture of the algebra, over a finite ring, to a file .svg, .png or .pdf.
+        """Draw a picture of the algebra over a finite ring to a .svg, .png or .pdf file.
 
-        ``what`` is ``"product"``, the table of all products as coloured squares, rows and columns sorted by
-        norm; ``"norm"``, all norms; ``"ideals"``, a Hasse diagram of the left ideals (``"right-ideals"`` and
-        ``"two-sided-ideals"`` draw others); or a graph, ``"commuting"`` or ``"zero-divisors"``.
+        ``what`` is ``"product"``, the table of all products as coloured squares, with rows and columns sorted
+        by norm; ``"norm"``, the norms of all elements; ``"ideals"``, a Hasse diagram of the left ideals (also
+        ``"right-ideals"`` and ``"two-sided-ideals"``); or a graph, ``"commuting"`` or ``"zero-divisors"``.
 
         >>> import tempfile, os
         >>> with tempfile.TemporaryDirectory() as folder:
         ...     H("GF(2)").draw(os.path.join(folder, "ideals.svg"), what="ideals", dark=True)
 
-        Raises :class:`CoercionError` for what is no picture, :class:`NotFiniteError`,
-        :class:`TooLargeError` where there is too much to see, and an ``OSError`` where it cannot be written.
+        Raises :class:`CoercionError` for an unknown picture, :class:`NotFiniteError`, :class:`TooLargeError`
+        if the picture would be too large to read, and ``OSError`` if the file cannot be written.
         """
         from hfield.exploring.pictures import draw
 
@@ -1121,7 +1132,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def tensor(self, other: QuaternionAlgebra) -> TensorProduct:
         """Return ``A ⊗ B``: ``.brauer_class``, ``.index`` (1, 2 or 4) with ``.reason``, ``.common_slot``.
 
-        Raises :class:`MixedParentsError` for different fields, :class:`CoercionError` for degenerate ones.
+        Raises :class:`MixedParentsError` for different fields, :class:`CoercionError` for degenerate
+        algebras.
 
         >>> T = H("QQ").tensor(QuaternionAlgebra(-1, -3))
         >>> T.brauer_class, T.index, T.common_slot
@@ -1136,8 +1148,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
         """Return the corestriction to a subfield: ``.algebra``, ``.brauer_class``, and the places ``.above``.
 
-        It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
-        for fields of another kind, :class:`CoercionError` for a base that is no subfield.
+        It ramifies at the places of the base that lie below an odd number of ramified places. Raises
+        :class:`RingError` for fields of another kind, :class:`CoercionError` for a base that is not a
+        subfield.
 
         >>> found = QuaternionAlgebra("QQ(sqrt(3))", -1, "1 + sqrt(3)").corestriction()
         >>> found.algebra, found.above
@@ -1150,9 +1163,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def embed(self, extension: object) -> Embedding:
         """Return an embedding of a quadratic extension: true with ``.element``, or false with ``.place``.
 
-        d stands for F(√d), and ``.element`` is a root of x² − d; else a field or a polynomial is given, as in
-        ``"x^2+x+3"``, which has the root. In characteristic 2 x² − d is inseparable.
-        Raises :class:`RingError` for what is not a quadratic extension, and :class:`UndecidedError`.
+        ``extension`` is d for F(√d), a field, or a polynomial such as ``"x^2+x+3"``; ``.element`` is a root
+        of x² − d or of the polynomial. In characteristic 2, x² − d is inseparable. Raises :class:`RingError`
+        for anything but a quadratic extension, and :class:`UndecidedError`.
 
         >>> A = QuaternionAlgebra(-1, -3)
         >>> A.embed(-7).element ** 2, A.embed(7).place, A.embed("QQ(zeta3)").element
@@ -1168,9 +1181,11 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     # --- matrices and equations, imported on first use ---------------------------------
 
     def matrix(self, rows: Iterable[Iterable[object]] | Quaternion | str) -> Matrix:
-        """Return the matrix with these rows of elements, or that a text means. Raises :class:`CoercionError`.
+        """Return the matrix with these rows of elements, or the matrix of a text. Raises
+        :class:`CoercionError`.
 
-        Of an array of quaternions the last two axes are rows and columns; others number matrices.
+        In an array of quaternions the last two axes are rows and columns; the others index an array of
+        matrices.
 
         >>> H("GF(3)").matrix([["1", "i"], ["j", "1"]]).rank()
         2
@@ -1193,7 +1208,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
         (x^2 + i*x + 1, 2, True)
 
-        Raises :class:`RingError` for what is no name.
+        Raises :class:`RingError` for an invalid name.
         """
         from hfield.polynomials.polynomial import Polynomials
 
@@ -1202,7 +1217,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Polynomials(self, variable)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
-        """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.
+        """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; if there is none, false with
+        ``.reason``.
 
         >>> A = H("QQ"); e, i, j, k = A.basis
         >>> found = A.sylvester(i, j, i - j)
@@ -1228,11 +1244,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return solve_linear(self, list(terms), c)
 
     def solve(self, *equations: str, unknowns: str | None = None) -> SystemSolutions:
-        """Return all solutions of equations, linear over the field, by the names of the unknowns.
+        """Return all solutions of equations that are linear over the field, by the names of the unknowns.
 
-        ``.particular`` and ``.kernel``; falsy with ``.reason`` where there is none. ``unknowns``, as in
-        ``"x, y"``, are by default the letters from p to z that mean nothing else. ``conj``, ``trace``,
-        ``scalar`` and ``vector`` of an unknown are linear, too. Raises :class:`NotationError`.
+        The result has ``.particular`` and ``.kernel``; if there is no solution it is false, with ``.reason``.
+        ``unknowns``, such as ``"x, y"``, are by default those letters from p to z that have no other meaning.
+        ``conj``, ``trace``, ``scalar`` and ``vector`` of an unknown count as linear. Raises
+        :class:`NotationError`.
 
         >>> found = H("QQ").solve("i*x + y = j", "x - y*i = 0")
         >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
@@ -1247,7 +1264,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
 
     @property
     def is_over_number_field(self) -> bool:
-        """Whether the base is a number field other than ℚ, so that orders are over its ring of integers.
+        """Whether the base is a number field other than ℚ; then orders are over its ring of integers.
 
         >>> H("QQ").is_over_number_field, H("QQ(sqrt(2))").is_over_number_field
         (False, True)
@@ -1255,19 +1272,19 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return isinstance(self.ring, WithIntegers) and self.ring != QQ
 
     def lattice(self, elements: Iterable[object]) -> Lattice:
-        """Return the lattice that elements span over ℤ, or over the integers of a number field.
+        """Return the lattice spanned by elements over ℤ, or over the ring of integers of a number field.
 
-        Pairs (ideal, element), as of a pseudo-basis, are read too. Raises :class:`LatticeError` when
-        its rank is below 4, :class:`RingError` over another field.
+        Pairs (ideal, element), as in a pseudo-basis, are also accepted. Raises :class:`LatticeError` if the
+        rank is below 4, :class:`RingError` over another field.
         """
         from hfield.orders.lattice import Lattice
 
         return Lattice.spanned(self, elements)
 
     def order(self, elements: Iterable[object]) -> Order:
-        """Return the order that elements generate as a ring, or over the integers of a number field.
+        """Return the order generated by elements as a ring, over ℤ or the integers of a number field.
 
-        Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+        Raises :class:`LatticeError` if the ring they generate has lower rank, or is not a lattice.
 
         >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).order(["i", "j"])
         >>> O.discriminant(), O.maximal_overorder().index(O)
@@ -1278,7 +1295,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Order.generated(self, elements)
 
     def order_from_basis(self, elements: Iterable[object]) -> Order:
-        """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
+        """Return the order with a basis of four elements; over ℤ_K, the order spanned by elements or a
+        pseudo-basis.
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
@@ -1287,10 +1305,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order:
-        """Return a maximal order, of an algebra that is not degenerate: always the same.
+        """Return a maximal order of a nondegenerate algebra; always the same one for the same algebra.
 
-        Over ℚ it is one over ℤ, over another number field one over the integers of the field, with ``basis``
-        over ℤ, ``pseudo_basis()`` and ``discriminant()``.
+        Over ℚ it is an order over ℤ. Over another number field it is an order over the ring of integers, with
+        ``basis`` over ℤ, ``pseudo_basis()`` and ``discriminant()``.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
@@ -1304,7 +1322,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
             return Order(standard_orders.maximal_order(self))
 
     def eichler_order(self, level: object, factors: Factors | None = None) -> Order:
-        """Return an Eichler order of the given level, the same for the same algebra and level.
+        """Return an Eichler order of the given level; always the same one for the same algebra and level.
 
         Over a number field the level is a number, an ideal, or pairs (prime ideal, exponent).
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
@@ -1324,11 +1342,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         """Return the maximal order with anticommuting roots of −q and −p, for a prime discriminant p.
 
         KLPT starts from such a p-extremal order. For a prime q > 2 there are two up to isomorphism
-        (Ibukiyama, 1982): this is the one that contains (1 + √−p)/2 if p ≡ 3 modulo 4, as those of SQIsign
-        do, and (1 + √−q)/2 if p ≡ 1 modulo 4. By default q = 1 for p ≡ 3 modulo 4, 2 for p ≡ 5 modulo 8,
-        else the least q ≡ 3 modulo 4 that fits. A composite q leaves a choice at each of its prime factors,
-        and one of these orders is returned. Raises :class:`LatticeError` for an indefinite algebra, a
-        composite discriminant, and a q that does not fit, with the reason.
+        (Ibukiyama, 1982). This method returns the one that contains (1 + √−p)/2 if p ≡ 3 modulo 4, as in
+        SQIsign, and the one that contains (1 + √−q)/2 if p ≡ 1 modulo 4. By default q = 1 for p ≡ 3 modulo 4,
+        q = 2 for p ≡ 5 modulo 8, and otherwise q is the least admissible one with q ≡ 3 modulo 4. A composite
+        q leaves a choice at each of its prime factors; one of these orders is returned. Raises
+        :class:`LatticeError` for an indefinite algebra, a composite discriminant, or an inadmissible q, with
+        the reason.
 
         >>> A = QuaternionAlgebra(419); O = A.extremal_order(13)
         >>> O.is_maximal(), len(O.embeddings(-52)), O.is_isomorphic(A.extremal_order())
@@ -1354,13 +1373,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return HurwitzOrder(hurwitz_order(self))
 
     def read(self, text: str) -> Value:
-        """Read an element, a lattice, an order or an ideal that another system wrote, or a list of these.
+        """Read an element, lattice, order or ideal written by another system, or a list of these.
 
-        Read are what ``text_for`` writes for elements, lattices, orders, ideals and class sets, what Sage
-        prints of orders and fractional ideals, lists of elements, as Magma prints a basis, PARI's columns,
-        and rows of coordinates. A list of elements is the lattice that they span. Raises
-        :class:`NotationError` that names the position of what cannot be read, :class:`MixedParentsError` for
-        a text about another algebra, and :class:`RingError` for lattices over other rings.
+        It reads the output of ``text_for`` for elements, lattices, orders, ideals and class sets; orders and
+        fractional ideals as Sage prints them; lists of elements, as Magma prints a basis; columns of PARI;
+        and rows of coordinates. A list of elements is read as the lattice they span. Raises
+        :class:`NotationError` with the position of the unreadable part, :class:`MixedParentsError` for a text
+        about another algebra, and :class:`RingError` for lattices over other rings.
 
         >>> A = QuaternionAlgebra(11)
         >>> O = A.read("Order of Quaternion Algebra (-1, -11) with base ring Rational Field "
@@ -1375,10 +1394,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return read(self, text)
 
     def order_from_label(self, text: str) -> Order:
-        """Return an order with the label that ``O.label()`` gave, always the same.
+        """Return an order with the label that ``O.label()`` returned; always the same one.
 
-        Raises :class:`NotationError` for what is no label, :class:`MixedParentsError` for the label of an
-        order in another algebra, and :class:`UndecidedError` over another field than ℚ.
+        Raises :class:`NotationError` for an invalid label, :class:`MixedParentsError` for the label of an
+        order in another algebra, and :class:`UndecidedError` over a field other than ℚ.
 
         >>> A = QuaternionAlgebra(11); O = A.order_from_label("x^2+y^2+3*z^2+y*z")
         >>> O.is_maximal().holds, O.is_isomorphic(A.maximal_order())
@@ -1392,8 +1411,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
     def class_number(self, level: object = 1) -> int:
         """Return the number of ideal classes of an Eichler order, over QQ by Eichler's formula.
 
-        Over other fields the classes are enumerated. In an indefinite algebra strong
-        approximation tells it: 1 over QQ. Raises :class:`LatticeError` for a level that is not prime to the
+        Over other fields the classes are enumerated. In an indefinite algebra the number follows from strong
+        approximation; over QQ it is 1. Raises :class:`LatticeError` for a level that is not prime to the
         discriminant.
 
         >>> QuaternionAlgebra("QQ(sqrt(3))", -1, 1).class_number()
@@ -1444,9 +1463,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return notation.table_text(BASIS, rows, style)
 
     def text_for(self, system: str) -> str:
-        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; the constructor reads such texts.
+        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; the constructor reads these texts.
 
-        Over ℚ, prime fields, and number fields with one generator. Raises :class:`RingError` for others.
+        This works over ℚ, prime fields, and number fields with one generator. Raises :class:`RingError` for
+        others.
 
         >>> H("QQ").text_for("magma"), QuaternionAlgebra("QQ[s]/(s^3-2)", "s", -1).text_for("pari")
         ('QuaternionAlgebra<Rationals() | -1, -1>', 'alginit(nfinit((-2)*y^0+(1)*y^3), [y, -1])')
@@ -1456,7 +1476,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return written(self.ring, self.constants, system)
 
     def latex(self) -> str:
-        """Write the symbol of the algebra, its constants over its field, in LaTeX."""
+        """Return the symbol of the algebra in LaTeX: its constants over its field."""
         F = self.ring
         constants = ",".join(notation.constants_text(F, self.constants, "latex"))
         symbol = rf"\frac{{{constants}}}{{{F.latex_name}}}"
@@ -1467,7 +1487,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy, Generic[E]):
         return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
     def _repr_html_(self) -> str | None:
-        """Return the page of ``info`` for a notebook, or None where something on it is not decided."""
+        """Return the page of ``info`` for a notebook, or None if some fact on it is undecided."""
         try:
             # which stands above, and is found by its name
             page: str = import_module("hfield.description").info(self)._repr_html_()
@@ -1491,7 +1511,7 @@ def _names_a_ring(text: str) -> bool:
 
 
 def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, object]:
-    """Return the ring and the constants a, b, t of an algebra that is named by less than all of them."""
+    """Return the ring and the constants a, b, t of an algebra given by fewer arguments."""
     if b is not None and isinstance(a, str) and "|" not in a and _names_a_ring(a):
         raise RingError(
             f"an algebra has two constants, and over {a} the one given is {shorten(b)}: write "
@@ -1526,9 +1546,9 @@ def H(ring: RingName) -> QuaternionAlgebra:
 def ternary_form(coefficients: Iterable[object] | str, ring: RingName = "QQ") -> TernaryForm:
     """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
 
-    They are integers, or those of a number field; a text such as ``"x^2+y^2+3*z^2+y*z"`` is read too.
-    ``order()`` of a form is its even Clifford algebra, and ``O.ternary_form()`` leads back. Raises
-    :class:`LatticeError` for what is no such form, or degenerate, and :class:`NotationError`.
+    The coefficients are integers or elements of a number field; a text such as ``"x^2+y^2+3*z^2+y*z"`` is
+    also read. ``order()`` of a form is its even Clifford algebra, and ``O.ternary_form()`` is the inverse.
+    Raises :class:`LatticeError` for an invalid or degenerate form, and :class:`NotationError`.
 
     >>> f = ternary_form([1, 1, 3, 1, 0, 1])
     >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()

@@ -40,8 +40,8 @@ Triple = tuple["AlgebraElement", "AlgebraElement", "AlgebraElement"]
 class Associativity(Verdict[Triple]):
     """Whether an algebra is associative.
 
-    Where it is not, ``triple`` is the first triple of basis vectors with (xy)z ≠ x(yz), and ``left`` and
-    ``right`` are the two products. By Lemma 1 of the thesis the triples of basis vectors decide.
+    If not, ``triple`` is the first triple of basis vectors with (xy)z ≠ x(yz), and ``left`` and ``right`` are
+    the two products. It suffices to test triples of basis vectors (Lemma 1 of the thesis).
     """
 
     left: AlgebraElement | None = None
@@ -49,7 +49,7 @@ class Associativity(Verdict[Triple]):
 
     @property
     def triple(self) -> Triple | None:
-        """The triple of basis vectors that fails, if any."""
+        """The first triple of basis vectors that is not associative, if any."""
         return self.witness
 
     def __str__(self) -> str:
@@ -68,13 +68,13 @@ class StructureAlgebra:
     """The algebra over a commutative ring with a basis whose products are given by a table.
 
     ``ring`` is a ring or its text. ``table[m][n]`` is the product of the basis vectors m and n: a row of
-    coordinates, or a text such as ``"-e"`` or ``"2*i + j"``. ``names`` are those of the basis vectors,
-    separated by blanks; ``e0 e1 …`` where they are left out. Nothing else is assumed: the algebra need not
-    be associative, commutative, nor have a unit.
+    coordinates, or a text such as ``"-e"`` or ``"2*i + j"``. ``names`` are the names of the basis vectors,
+    separated by blanks; the default is ``e0 e1 …``. The algebra need not be associative or commutative, nor
+    have a unit.
 
-    Calling the algebra makes elements, of coordinates, of a text, or of a scalar where there is a unit.
-    Raises :class:`NotationError` for names or texts that cannot be read, :class:`CoercionError` for a table
-    of another shape.
+    Call the algebra to make elements from coordinates, a text, or a scalar if there is a unit. Raises
+    :class:`NotationError` for names or texts that cannot be read, :class:`CoercionError` for a table of
+    another shape.
 
     >>> B = StructureAlgebra("QQ", [["e", "i", "j", "k"], ["i", "-e", "k", "-j"],
     ...                             ["j", "-k", "-e", "i"], ["k", "j", "i", "-e"]], names="e i j k")
@@ -174,7 +174,7 @@ class StructureAlgebra:
     # --- products --------------------------------------------------------------------------------
 
     def product(self, x: Vector, y: Vector) -> Vector:
-        """Return the coordinates of the product of two elements, given by theirs."""
+        """Return the coordinates of the product of two elements given by coordinates."""
         zero = self.ring.is_zero
         out = [self.ring.zero] * self.dimension
         right = [(n, d) for n, d in enumerate(y) if not zero(d)]
@@ -189,9 +189,9 @@ class StructureAlgebra:
         return tuple(out)
 
     def __call__(self, x: object) -> AlgebraElement:
-        """Return an element: of coordinates, of a text, of a scalar where there is a unit, or itself.
+        """Return an element from coordinates, a text, an element, or a scalar if there is a unit.
 
-        Raises :class:`CoercionError` or :class:`NotationError` for what is none.
+        Raises :class:`CoercionError` or :class:`NotationError` for other values.
         """
         if isinstance(x, AlgebraElement):
             if x.parent == self:
@@ -250,7 +250,7 @@ class StructureAlgebra:
     def is_associative(self) -> Associativity:
         """Return whether the algebra is associative, with the first basis triple that fails.
 
-        Both (xy)z and x(yz) are trilinear, so the triples of basis vectors decide (Lemma 1 of the thesis).
+        Both (xy)z and x(yz) are trilinear, so it suffices to test basis vectors (Lemma 1 of the thesis).
         """
         return self._associativity
 
@@ -263,15 +263,16 @@ class StructureAlgebra:
         return Associativity(True)
 
     def is_commutative(self) -> bool:
-        """Return whether x·y = y·x always: whether the table is symmetric."""
+        """Return whether x·y = y·x for all x and y, that is, whether the table is symmetric."""
         pairs = itertools.combinations(self.basis, 2)
         return all(x * y == y * x for x, y in pairs)
 
     @cached_property
     def one(self) -> AlgebraElement | None:
-        """The unit, with 1·x = x = x·1 for all x, or None where there is none.
+        """The unit, with 1·x = x = x·1 for all x, or None if there is none.
 
-        Found by linear algebra. Raises :class:`UndecidedError` over rings over which that does not decide.
+        The unit is found by linear algebra. Raises :class:`UndecidedError` over rings over which that fails
+        to decide.
 
         >>> StructureAlgebra("ZZ", [["2*a"]], names="a").one is None
         True
@@ -320,10 +321,11 @@ class StructureAlgebra:
         raise UndecidedError(f"whether there is a unit over {shorten(ring.name)} is not decided")
 
     def center(self) -> tuple[AlgebraElement, ...]:
-        """Return a basis of the centre: of what commutes and associates with all elements.
+        """Return a basis of the centre: the elements that commute and associate with all others.
 
-        Over a ring over which it is not free these are generators. In an associative algebra to commute is
-        enough. Raises :class:`UndecidedError` over rings over which kernels are not found.
+        If the centre is not free over the ring, these are generators. In an associative algebra only
+        commutation is tested. Raises :class:`UndecidedError` over rings over which kernels cannot be
+        computed.
 
         >>> [str(x) for x in StructureAlgebra("QQ", [["a", "b"], ["0*a", "0*a"]], names="a b").center()]
         []
@@ -345,7 +347,7 @@ class StructureAlgebra:
     centre = center
 
     def zero_divisors(self) -> Iterator[AlgebraElement]:
-        """Yield the zero divisors over a finite ring, 0 among them. Raises :class:`NotFiniteError`.
+        """Yield the zero divisors over a finite ring, including 0. Raises :class:`NotFiniteError`.
 
         >>> B = StructureAlgebra("GF(3)", [["a", "0*a"], ["0*a", "b"]], names="a b")
         >>> list(B.zero_divisors())
@@ -371,7 +373,7 @@ class StructureAlgebra:
     def from_text(cls, text: str) -> StructureAlgebra:
         """Read an algebra as :func:`str` writes it; ``; 1 = …`` may be left out.
 
-        Raises :class:`NotationError` for a text of another form, or with a unit that is none.
+        Raises :class:`NotationError` for a text of another form, or if the given unit is not one.
 
         >>> StructureAlgebra.from_text("table(a, b: a, b; b, -a|QQ)").one
         a
@@ -457,9 +459,9 @@ class AlgebraElement:
     __rmul__ = __mul__  # only by scalars, which commute with all
 
     def __pow__(self, n: int) -> AlgebraElement:
-        """Return the power x·x·…·x, multiplied from the left on: ``x**3`` is (x·x)·x.
+        """Return the power of x with exponent n, multiplied from the left: ``x**3`` is (x·x)·x.
 
-        Raises :class:`CoercionError` for n = 0 where there is no unit, ValueError for negative n.
+        Raises :class:`CoercionError` for n = 0 if there is no unit, ValueError for negative n.
         """
         if n < 0:
             raise ValueError(f"expected an exponent of at least 0, not {n}")
@@ -471,9 +473,9 @@ class AlgebraElement:
         return out
 
     def is_zero_divisor(self) -> bool:
-        """Return whether x·y = 0 or y·x = 0 for some y ≠ 0; so is 0.
+        """Return whether x·y = 0 or y·x = 0 for some y ≠ 0; true for x = 0.
 
-        Raises :class:`UndecidedError` over rings over which kernels are not found.
+        Raises :class:`UndecidedError` over rings over which kernels cannot be computed.
         """
         ring = self.parent.ring
         for products in (
@@ -523,7 +525,7 @@ class AlgebraElement:
 
 
 class _Term:
-    """A partly read text: a scalar, which needs no unit, plus a vector."""
+    """A part of an expression being read: a scalar (which needs no unit) plus a vector."""
 
     def __init__(
         self, algebra: StructureAlgebra, products: bool, number: Scalar, vector: Vector
@@ -535,7 +537,7 @@ class _Term:
         return _Term(self.algebra, self.products, number, vector)
 
     def scalar(self) -> Scalar:
-        """Return the term where it is a scalar. Raises :class:`NotationError`."""
+        """Return the term as a scalar. Raises :class:`NotationError` if it is not one."""
         if not all(map(self.algebra.ring.is_zero, self.vector)):
             raise NotationError("functions and denominators take scalars only")
         return self.number
@@ -572,7 +574,7 @@ class _Term:
         return self.like(self.number * scale, tuple(c * scale for c in self.vector))
 
     def power(self, n: int) -> _Term:
-        """Return a power: of a scalar any, else one with an exponent of at least 1."""
+        """Return a power: any power of a scalar, or one with an exponent of at least 1."""
         if all(map(self.algebra.ring.is_zero, self.vector)):
             return self.like(self.algebra.ring.power(self.number, n), self.vector)
         if n < 1:

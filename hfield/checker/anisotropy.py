@@ -1,8 +1,8 @@
-"""Check that a norm form is 0 only at 0: by an ordering, a level, a place or a specialisation.
+"""Check that a norm form is anisotropic: by an ordering, a level, a place or a specialisation.
 
-At a place two elements u and j of the algebra are given, such that N(x + y·u) has twice the valuation that x
-or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·(z + w·u)). Nothing in this
-depends on the characteristic, nor on that of the residues. docs/explanation/trust.md has the proofs.
+At a place two elements u and j of the algebra are given. N(x + y·u) must have twice the least valuation of x
+and y, N(j) must have odd valuation, and nothing may cancel in N(x + y·u + j·(z + w·u)). None of this depends
+on the characteristic of the field or of its residue fields. docs/explanation/trust.md has the proofs.
 """
 
 from collections.abc import Hashable, Mapping
@@ -27,9 +27,9 @@ KEYS = {
 
 
 def anisotropic(field: Ring[E], c: Constants[E], data: object, algebra: str) -> tuple[str, ...]:
-    """Prove that the norm of the algebra (a, t, b) is 0 only at 0, or raise :class:`Rejected`.
+    """Prove that the norm form of the algebra (a, t, b) is anisotropic, or raise :class:`Rejected`.
 
-    Returns the theorems that are cited: none. ``data`` says ``by`` what it is shown.
+    Return the theorems that are cited (none). ``data["by"]`` names the method of proof.
     """
     by = data.get("by") if isinstance(data, Mapping) else None
     if not isinstance(by, str) or by not in KEYS:
@@ -53,7 +53,7 @@ def anisotropic(field: Ring[E], c: Constants[E], data: object, algebra: str) -> 
 
 
 def is_certified(algebra: str, ring: object, data: object) -> bool:
-    """Return whether this shows that the norm form of a named algebra is 0 only at 0."""
+    """Return whether the data prove that the norm form of a named algebra is anisotropic."""
     try:
         with bounded():
             field, c = constants_of(algebra, ring)
@@ -73,7 +73,7 @@ def is_readable(algebra: str, ring: object) -> bool:
 
 
 def constants_of(algebra: str, data: object) -> tuple[AnyRing, Constants[Hashable]]:
-    """Return the field that the data say, and (a, t, b). Raises :class:`Rejected`."""
+    """Return the field given by the data, and (a, t, b). Raises :class:`Rejected`."""
     ring = read_ring(data)
     setting = read_setting(algebra, ring)
     constants = ring.named_elements(
@@ -97,7 +97,7 @@ def _by_ordering(field: Ring[E], c: Constants[E]) -> None:
     """Use 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, with d and b negative."""
     a, t, b = c
     d = field.add(field.mul(t, t), field.mul(field.number(4), a))
-    signs = zip(field.signs(d), field.signs(b), strict=True)  # None where there is no ordering
+    signs = zip(field.signs(d), field.signs(b), strict=True)  # None if there is no ordering
     if (-1, -1) not in signs:
         reject("the constants are not both negative in an ordering that is known here")
 
@@ -111,10 +111,10 @@ def _by_level(field: Ring[E], c: Constants[E]) -> None:
 
 
 def _by_place(field: Ring[E], c: Constants[E], place: Place[E, R], u: list[E], j: list[E]) -> None:
-    """Use that X² − tr(u)·X + N(u) is integral without a root in the residue ring, and N(j) has odd
+    """Use that X² − tr(u)·X + N(u) is integral and has no root in the residue ring, and N(j) has odd
     valuation.
 
-    Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
+    tr(j) and N(u + j) − N(u) − N(j) must be divisible by ``odd``.
     """
     name, odd = place.name, field.need_inverse(place.odd)
 

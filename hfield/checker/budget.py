@@ -1,7 +1,7 @@
-"""A budget of work for one file: each step spends its cost before it begins.
+"""A budget of work for one file: each step spends its cost before it starts.
 
-A unit is a microsecond and 100 bytes at worst, whichever is reached first; docs/explanation/trust.md has
-measurements. A function that computes with long numbers pays for their lengths itself.
+A unit is at most one microsecond and 100 bytes, whichever is reached first; docs/explanation/trust.md has
+measurements. Functions that compute with long numbers spend the cost of their length themselves.
 """
 
 from collections.abc import Callable, Collection, Hashable, Iterator
@@ -18,14 +18,14 @@ T = TypeVar("T")
 
 
 class Budget:
-    """The work that may be done for one file, in millions of units; ``left`` is what remains."""
+    """The work allowed for one file, in millions of units; ``left`` is what remains."""
 
     def __init__(self, millions: float = MILLIONS) -> None:
         self.millions, self.left = millions, round(millions * 1e6)
 
     @property
     def spent(self) -> int:
-        """The units spent; more than the budget if the file was rejected for it."""
+        """The units spent; more than the budget if the file was rejected for exceeding it."""
         return round(self.millions * 1e6) - self.left
 
 
@@ -44,7 +44,7 @@ def bounded(budget: Budget | None = None) -> Iterator[Budget]:
 
 
 def spend(units: int) -> None:
-    """Spend units of the budget; reject the file when nothing is left."""
+    """Spend units of the budget; reject the file if nothing is left."""
     budget = _current.get()
     if budget is not None:
         budget.left -= units
@@ -64,7 +64,7 @@ class Number(Protocol):
 
 
 def spend_products(some: Collection[Number], others: Collection[Number]) -> None:
-    """Spend the cost of multiplying, dividing or reducing each of some numbers by each of others."""
+    """Spend the cost of multiplying, dividing or reducing each number in ``some`` by each in ``others``."""
     bits, more = (sum([n.bit_length() for n in numbers]) for numbers in (some, others))
     linear = bits * len(others) + more * len(some)
     spend(len(some) * len(others) + linear // 1_000 + bits * more // 500_000)
@@ -77,14 +77,14 @@ def spend_inverse(modulus: int) -> None:
 
 
 class Remembered(Generic[T]):
-    """Cache a function of one argument. Each call spends its full cost, so earlier files do not matter."""
+    """Caches a function of one argument. Each call spends its full cost, so earlier files do not matter."""
 
     def __init__(self, function: Callable[..., T]) -> None:
         self._function, self._found = function, lru_cache(maxsize=256)(self._measured)
         self.cache_clear = self._found.cache_clear
 
     def __call__(self, argument: Hashable) -> T:
-        """Return what the function does."""
+        """Return the value of the function."""
         value, cost = self._found(argument)
         spend(cost)
         return value

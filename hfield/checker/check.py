@@ -1,6 +1,6 @@
 """``check``: verify one certificate and return what it establishes.
 
-The target is derived from ``statement``, ``algebra`` and ``field``; the evidence has to show it.
+The target is derived from ``statement``, ``algebra`` and ``field``; the evidence must prove it.
 docs/reference/certificates.md describes the format.
 """
 
@@ -32,12 +32,12 @@ MAX_ASSUMES = 20
 
 @dataclass(frozen=True)
 class Established:
-    """What a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``.
+    """The claim that a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``.
 
-    ``words`` say what the field is, ``rings`` what those are that the statement names. ``assumes`` are the
-    general ``theorems`` that it cites, and ``assumptions``: whatever else it takes for granted. ``vacuous``
-    lists the parts of an ``every{…}`` that hold because their hypotheses never do, ``left_out`` what the
-    words of the statement say besides, of which the verdict tells nothing.
+    ``words`` describe the field, ``rings`` the rings that the statement names. ``assumes`` lists what is
+    cited: the general ``theorems``, and other ``assumptions``. ``vacuous`` lists the parts of an ``every{…}``
+    that hold because their hypotheses are never true. ``left_out`` lists what the words of the statement say
+    beyond the verdict, and what was not checked.
     """
 
     statement: str
@@ -71,7 +71,7 @@ class Established:
         return f"over all {self.scope}"
 
     def lines(self) -> list[str]:
-        """Return everything in lines, each of one thing, none cut."""
+        """Return all results as lines, one item per line, none shortened."""
         return [
             f"{self.verdict} {self.where}",
             f"statement: {one_line(self.statement)}",
@@ -90,12 +90,13 @@ class Established:
 
 @dataclass(frozen=True)
 class ExpectedClaim:
-    """The claim that a certificate must be about. ``field`` None is all fields; ``any_field`` accepts any
+    """The claim that a certificate must establish. ``field`` None means all fields; ``any_field`` accepts any
     field.
 
-    Statements are compared as trees, algebras as constants; ``statements`` are alternatives. ``field`` is a
-    canonical name or the data of a ring. No unknown may mean an element of the field; but where that is
-    named and the statement is no ``claim``, which is of no field, its generators win over scalar unknowns.
+    Statements are compared as trees, algebras by their constants; ``statements`` are alternatives. ``field``
+    is a canonical name or the data of a ring. In the statements no unknown may have the name of an element of
+    the field. But if the field is given and the statement is not a ``claim`` (which has no field), the
+    field's generators take precedence over scalar unknowns.
     """
 
     statements: tuple[str, ...]
@@ -105,7 +106,7 @@ class ExpectedClaim:
     claim: bool = False
 
     def readable(self) -> "ExpectedClaim":
-        """Return the claim itself. Raises :class:`Rejected` for a statement that cannot be read."""
+        """Return the claim. Raises :class:`Rejected` for a statement that cannot be read."""
         for statement in self.statements:
             meaning(statement)
         return self
@@ -129,16 +130,16 @@ class ExpectedClaim:
 
 
 def _unknowns(tree: Meaning) -> set[str]:
-    """Return the letters in a tree that are unknowns where no field is named."""
+    """Return the letters in a tree that are unknowns if no field is given."""
     if len(tree) == 2 and tree[0] == "name" and isinstance(tree[1], str):
         return {tree[1]} & set(UNKNOWNS)
     return {name for part in tree if isinstance(part, tuple) for name in _unknowns(part)}
 
 
 def same_algebra(one: Setting, other: Setting) -> bool:
-    """Return whether the structure constants are equal wherever those of one of the two are defined.
+    """Return whether the structure constants are equal wherever those of either algebra are defined.
 
-    Tables are the same where names, products and unit are written alike.
+    Tables are equal if names, products and unit are written in the same way.
     """
     if one.table is not None or other.table is not None:
         return one.table == other.table
@@ -170,8 +171,8 @@ def check(
 ) -> Established:
     """Check a certificate from JSON data. Raises :class:`Rejected`, and nothing else.
 
-    ``budget`` is how much may be done, ``Budget(10)`` by default: ten million units, each of which takes a
-    microsecond and 100 bytes at worst; its ``spent`` tells afterwards what was.
+    ``budget`` limits the work; the default ``Budget(10)`` is ten million units of at most one microsecond and
+    100 bytes each. Afterwards its ``spent`` is the work done.
 
     >>> from hfield import prove
     >>> check(prove("p + q == q + p").certificate).verdict

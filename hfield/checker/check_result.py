@@ -11,11 +11,11 @@ WIDTH = {FIELD: 0, ORDERED_FIELDS: 1, FIELDS: 2, COMMUTATIVE_RINGS: 3}
 
 @dataclass(frozen=True)
 class CheckResult:
-    """``scope``: over the field named (or as it stands), over all fields, over all commutative rings.
+    """The scope is the named field (or the statement as it stands), all fields, or all commutative rings.
 
-    ``method`` is the name that the certificate has to give: what shows it has one name. ``left_out`` tells
-    what a statement says besides and was not looked at, since the verdict does not depend on it; ``rings``
-    are those that its words name.
+    ``method`` is the name that the certificate must give; each kind of proof has one name. ``left_out`` lists
+    parts of a statement that were not checked because the verdict does not depend on them; ``rings`` are the
+    rings that its words name.
     """
 
     scope: str
@@ -26,7 +26,7 @@ class CheckResult:
     rings: tuple[AnyRing, ...] = ()
 
     def within(self, scope: str) -> "CheckResult":
-        """Return the same with no wider a scope than this."""
+        """Return the result with the scope restricted to ``scope``."""
         return replace(self, scope=min(self.scope, scope, key=WIDTH.__getitem__))
 
     def by(self, method: str) -> "CheckResult":
@@ -34,7 +34,7 @@ class CheckResult:
         return replace(self, method=method)
 
     def citing(self, *theorems: str) -> "CheckResult":
-        """Return the same, citing more."""
+        """Return the result with further citations."""
         return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
 
     def without(self, *texts: str) -> "CheckResult":
@@ -43,7 +43,7 @@ class CheckResult:
 
 
 def together(findings: Iterable[CheckResult]) -> CheckResult:
-    """Return the joint result of several checks: the narrowest scope, and each method once."""
+    """Return the combined result of several checks: the narrowest scope, and each method once."""
     every = list(findings)
     return CheckResult(
         min((f.scope for f in every), key=WIDTH.__getitem__, default=COMMUTATIVE_RINGS),

@@ -50,10 +50,10 @@ class Clause:
 
 @dataclass(frozen=True)
 class Expansion:
-    """A statement as clauses; the first ``unknowns`` variables are no constants of the field.
+    """A statement as clauses; variables after the first ``unknowns`` are constants of the field.
 
-    ``factors`` are the polynomials that were divided by, ``conditions`` those of them, and others, that
-    may not be 0 for the algebra to exist.
+    ``factors`` are the polynomials by which the statement divides. ``conditions`` are those factors and other
+    polynomials that must be nonzero for the algebra to exist.
     """
 
     names: Names
@@ -65,7 +65,7 @@ class Expansion:
 
 
 class Fractions:
-    """Scalars: ``(numerator, pieces of the denominator)``."""
+    """Fractions as scalars: ``(numerator, factors of the denominator)``."""
 
     def __init__(self) -> None:
         self.factors = list[Poly]()
@@ -117,7 +117,7 @@ class Fractions:
         return self._made(top, tuple(sorted(pieces.items())))
 
     def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions[Quotient]]:
-        """Return 1/x on the condition that its numerator is not 0."""
+        """Return 1/x, with the condition that its numerator is not 0."""
         top = x[0]
         if not top:
             return self.zero, (self.polynomial({}),)
@@ -136,14 +136,16 @@ class Fractions:
     def compare(
         self, differences: list[Quotient], conditions: Conditions[Quotient], equal: bool
     ) -> Formula:
-        """Return "defined, and, being defined, (not) all numerators are 0"."""
+        """Return the formula "everything is defined, and all (or not all) numerators are 0"."""
         tops = [d[0] for d in differences]
         literal = self.literal(tops, equal)
         parts = [self.literal([c[0]], False) for c in conditions]
         return ("and", (*parts, ("or", (literal, *(deny(part) for part in parts)))))
 
     def literal(self, tops: list[Poly], zero: bool) -> Formula:
-        """Return "all are 0" or "not all are 0"; equal ones share their polynomials, to compare fast."""
+        """Return "all are 0" or "not all are 0"; equal formulas share their polynomials, so that comparison
+        is fast.
+        """
         polynomials = frozenset(freeze(f) for f in tops if f)
         if not polynomials:
             return ("and" if zero else "or", ())
@@ -154,7 +156,7 @@ class Fractions:
         return (kind, (x, y))
 
     def deny(self, x: Formula) -> Formula:
-        """Return "not x"."""
+        """Return the formula "not x"."""
         return deny(x)
 
     def _over(self, x: Quotient, common: dict[int, int]) -> Poly:
@@ -170,7 +172,7 @@ class Fractions:
 
 
 def deny(f: Formula) -> Formula:
-    """Return the opposite formula."""
+    """Return the negation of a formula."""
     spend(10)
     if f[0] == "zero" or f[0] == "nonzero":
         return ("nonzero" if f[0] == "zero" else "zero", f[1])
@@ -178,7 +180,7 @@ def deny(f: Formula) -> Formula:
 
 
 def expand(statement: Statement, setting: Setting) -> Expansion:
-    """Return the clauses of a statement without quantifiers."""
+    """Return the clauses of a quantifier-free statement."""
     coordinates: dict[Tree, list[Tree]] = {}
     for name, sort in statement.unknowns:
         tree: Tree = ("name", name)
@@ -192,7 +194,7 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
         values[tree] = Quaternion(found) if len(found) == 4 else found[0]
     evaluator = Evaluator(scalars, setting.constants, values)
     formula = evaluator.truth(statement.matrix)
-    # The algebra exists only where its structure constants are defined.
+    # The algebra exists only if its structure constants are defined.
     conditions = tuple(c[0] for c in evaluator.conditions)
     undefined = [scalars.literal([f], True) for f in conditions]
     clauses = tuple(_clause(c) for c in _conjunction(("or", (*undefined, formula))))
@@ -201,7 +203,7 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
 
 
 def _conjunction(f: Formula) -> list[frozenset[LiteralFormula]]:
-    """Return the conjunctive normal form, tautologies left out."""
+    """Return the conjunctive normal form without tautologies."""
     spend(20)
     if f[0] == "zero" or f[0] == "nonzero":
         return [frozenset([f])]
@@ -227,7 +229,7 @@ def _clause(literals: frozenset[LiteralFormula]) -> Clause:
 
 
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
-    """Divide by factors known to be nonzero, as often as they divide."""
+    """Divide by factors known to be nonzero, as often as possible."""
     spend(1 + len(known))
     for factor in known:
         while f and factor not in (constant(1), constant(-1)):

@@ -1,7 +1,7 @@
 """Evaluate terms and statements over a ring, or over polynomials.
 
-The product is that of the sixteen products of basis elements, which follow from i² = a + t·i,
-j² = b, ij = k and ji = t·j − k alone.
+The product is computed from the sixteen products of basis elements, which follow from i² = a + t·i, j² = b,
+ij = k and ji = t·j − k.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,9 +14,9 @@ from hfield.checker.rejection import reject
 from hfield.checker.scalars.place import E
 from hfield.checker.scalars.ring import MAX_EXPONENT, Ring, power
 
-S = TypeVar("S")  # what stands for a scalar
-T = TypeVar("T")  # what stands for a truth
-Conditions = tuple[S, ...]  # what must not be 0 for a term to be defined
+S = TypeVar("S")  # the representation of a scalar
+T = TypeVar("T")  # the representation of a truth value
+Conditions = tuple[S, ...]  # numbers that must not be 0 for a term to be defined
 
 
 class Scalars(Protocol[S, T]):
@@ -38,10 +38,10 @@ class Scalars(Protocol[S, T]):
         """Return x·y."""
 
     def reciprocal(self, x: S) -> tuple[S, Conditions[S]]:
-        """Return 1/x with the condition that there is one."""
+        """Return 1/x with the condition that it exists."""
 
     def compare(self, differences: list[S], conditions: Conditions[S], equal: bool) -> T:
-        """Return the truth of "defined, and all (not all) differences are 0"."""
+        """Return the truth value of "everything is defined, and all (or not all) differences are 0"."""
 
     def join(self, kind: Literal["and", "or"], x: T, y: T) -> T:
         """Return the truth of "x and y" or "x or y"."""
@@ -51,7 +51,7 @@ class Scalars(Protocol[S, T]):
 
 
 class Quaternion(tuple[S, ...]):
-    """Four coordinates over (e, i, j, k); scalars are anything else."""
+    """Four coordinates over (e, i, j, k); any other value is a scalar."""
 
     __slots__ = ()
 
@@ -116,18 +116,20 @@ class Evaluator(Generic[S, T]):
         return Quaternion((s.add(w, s.mul(self.t, x)), s.neg(x), s.neg(y), s.neg(z)))
 
     def norm(self, q: Quaternion[S]) -> S:
-        """Return the coefficient of e in q·conj(q), which is all there is of it."""
+        """Return the norm, which is the coefficient of e in q·conj(q); the other coefficients are 0."""
         return self.product(q, self.conjugate(q), range(1))[0]
 
     def value(self, tree: Tree) -> S | Quaternion[S]:
-        """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
+        """Return the value of a term; scalars that must be units for it to be defined are added to
+        ``needed``.
+        """
         s = self.s
         spend(10)
         if tree[0] == "num":
             return self._defined(s.number(tree[1]))
         if (
             tree[0] == "call" and tree[1] in FUNCTIONS
-        ):  # others are short; all of a tree would be hashed
+        ):  # others are short; the whole tree would be hashed
             inside = tree[2][0]
             if tree[1] == "trace" and inside[0] == "*":
                 return self._call("trace", self._traced(*map(self.value, inside[1:])))
@@ -174,7 +176,7 @@ class Evaluator(Generic[S, T]):
         return found[0]
 
     def truth(self, tree: Tree) -> T:
-        """Return the truth of a statement without quantifiers."""
+        """Return the truth value of a quantifier-free statement."""
         s = self.s
         spend(10)
         if tree[0] in ("==", "!="):
@@ -220,7 +222,7 @@ class Evaluator(Generic[S, T]):
         return s.mul(x, y)
 
     def _traced(self, x: S | Quaternion[S], y: S | Quaternion[S]) -> S | Quaternion[S]:
-        """Return x·y as far as its trace depends on it."""
+        """Return those parts of x·y on which its trace depends."""
         if isinstance(x, Quaternion) and isinstance(y, Quaternion):
             return self.product(x, y, range(1 if self.t == self.s.zero else 2))
         return self._times(x, y)
@@ -269,7 +271,7 @@ class RingScalars(Generic[E]):
         return (self.zero, (self.zero,)) if y is None else (y, ())
 
     def compare(self, differences: list[E], conditions: Conditions[E], equal: bool) -> bool:
-        """Compare."""
+        """Return the truth value of "everything is defined, and all (or not all) differences are 0"."""
         return not conditions and all(map(self.ring.is_zero, differences)) == equal
 
     def join(self, kind: Literal["and", "or"], x: bool, y: bool) -> bool:
@@ -277,5 +279,5 @@ class RingScalars(Generic[E]):
         return (x and y) if kind == "and" else (x or y)
 
     def deny(self, x: bool) -> bool:
-        """Return "not x"."""
+        """Return the formula "not x"."""
         return not x

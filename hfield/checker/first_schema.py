@@ -1,7 +1,7 @@
-"""Translate certificates ``hfield-cert/1`` to the present schema.
+"""Translate certificates ``hfield-cert/1`` to the current schema.
 
-The checker takes the spellings of a table and no others; ``hfield upgrade`` reads names as liberally as the
-prover does, and what it writes is checked by the data alone.
+The checker accepts only the names in a table. ``hfield upgrade`` reads names as liberally as the prover does;
+the certificate that it writes is checked without names.
 """
 
 from collections.abc import Callable, Mapping
@@ -44,7 +44,7 @@ def upgraded(data: Mapping[str, object], ring: ReadName, place: ReadPlace) -> di
 def _with_data(
     value: object, here: Mapping[str, object] | None, ring: ReadName, place: ReadPlace, depth: int
 ) -> object:
-    """Replace names by data in some evidence about a ring."""
+    """Replace names by data in evidence about a ring."""
     if depth > MAX_DEPTH:
         reject("the evidence nests too deeply")
     if isinstance(value, list):
@@ -66,14 +66,14 @@ def _with_data(
 
 
 def spelled(name: str) -> Mapping[str, object]:
-    """Return the data of a ring by its name in the table. Raises :class:`Rejected` for others."""
+    """Return the data of a ring by its name in the table. Raises :class:`Rejected` for other names."""
     if name not in _table():
         reject(f"{shown(name)!r} is no name that is read in a certificate {FIRST_SCHEMA}; {HINT}")
     return _table()[name]
 
 
 def spelled_place(name: str, ring: Mapping[str, object] | None) -> Mapping[str, object]:
-    """Return the data of a place of ℚ, a number. Raises :class:`Rejected` for any other."""
+    """Return the data of a place of ℚ, a number. Raises :class:`Rejected` for any other place."""
     if ring != {"kind": "rationals"} or not (name.isascii() and name.isdigit() and len(name) < 20):
         reject(f"{shown(name)!r} is no place that is read in a certificate {FIRST_SCHEMA}; {HINT}")
     return {"kind": "number", "n": int(name)}

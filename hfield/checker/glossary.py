@@ -1,7 +1,7 @@
-"""The words that prover, checker, ledger and documents share: verdicts, scopes, methods, theorems.
+"""The words shared by prover, checker, ledger and documents: verdicts, scopes, methods, theorems.
 
-Plain data, and the only thing of this folder that a prover needs; nothing is derived here, and nothing
-checked.
+This module has only plain data, and is the only module of this folder that a prover needs; nothing is derived
+or checked here.
 """
 
 import re
@@ -50,7 +50,7 @@ ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
 BY_S_UNITS, BY_AREA = "S-units", "area"
 BY_PRIME, BY_CLASS_NUMBER, BY_EIGENVECTORS = "prime", "class number", "eigenvectors"
 
-# What a certificate may call its method; several are joined by "; ".
+# Names that a certificate may use for its method; several are joined by "; ".
 METHODS = {
     IDENTITY: "both sides expand to the same polynomials, or differ at the witness",
     IMPLICATION: "each goal is a combination of the hypotheses with polynomial cofactors",
@@ -166,8 +166,9 @@ HERMITE = (
     "a lattice of rank r and determinant d has a vector of square at most γᵣ·d^(2/r) (Hermite)"
 )
 
-# The theorems that evidence may cite, by the texts that stand in ``assumes``, and where they are proved. They
-# are general and say nothing about the algebra at hand; everything else in ``assumes`` is an assumption.
+# Theorems that evidence may cite, by their text in ``assumes``, with a reference for the proof.
+# They are general and state nothing about the particular algebra; everything else in ``assumes`` is
+# an assumption.
 THEOREMS = {
     CIRCLE: "Rudin, Principles of Mathematical Analysis, chapter 8",
     KULIKOV: "Fuchs, Infinite Abelian Groups I, theorem 27.5",
@@ -201,7 +202,7 @@ THEOREMS = {
     HERMITE: "Cassels, An Introduction to the Geometry of Numbers, chapters IX and X; Blichfeldt for r > 8",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
 }
-# Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.
+# Theorems with which a statement may be read (``citing{odd-degree; …}``), by their names there.
 CITED_BY_NAME = {"odd-degree": ODD_DEGREE, "limits": LIMITS, "induction": INDUCTION}
 
 # The basis, and the words of the language: these mean something in every statement.
@@ -226,6 +227,6 @@ _CONSTANT = re.compile(
 def reads_like_a_constant(name: str) -> bool:
     """Return whether the name could be read as a number, a place or a ring, as ``zeta5`` or ``inf``.
 
-    The rational functions in such a variable are written ``Frac(QQ[zeta5])``.
+    Rational functions in such a variable are written ``Frac(QQ[zeta5])``.
     """
     return _CONSTANT.fullmatch(name) is not None

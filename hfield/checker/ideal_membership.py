@@ -1,4 +1,4 @@
-"""Check that polynomials lie in an ideal, or have no common zero: sums of cofactors times generators."""
+"""Check that polynomials lie in an ideal, or have no common zero, by sums of cofactors times generators."""
 
 from collections.abc import Mapping, Sequence
 
@@ -27,7 +27,7 @@ from hfield.checker.rules import Rules
 from hfield.checker.scalars.finite import is_prime
 
 MAX_DEPTH = 8
-# The keys of a step that says that a form is 0, so that its terms are.
+# The keys of a step that states that a form is 0, so that its terms are 0.
 FORMS = {
     "norm": ("terms", "algebra"),
     "squares": ("terms coefficients", ""),
@@ -36,7 +36,7 @@ FORMS = {
 
 
 class VerifiedItem:
-    """One entry of ``items`` that has been verified: zeros imply ``member``, or exclude ``nonzero``."""
+    """A verified entry of ``items``: the zeros imply ``member``, or exclude ``nonzero``."""
 
     def __init__(
         self, data: object, names: Names, context: EvaluationContext, rules: Rules
@@ -79,7 +79,7 @@ class VerifiedItem:
 
     @property
     def is_direct(self) -> bool:
-        """Whether it holds over every commutative ring (denominators apart)."""
+        """Whether the item holds over every commutative ring (apart from denominators)."""
         return self.member is not None and not self.uses_field and not self.p
 
     def _verify(
@@ -163,7 +163,7 @@ def texts_of_polynomials(data: object) -> list[str]:
 
 
 def _proportional(f: Poly, g: Poly, p: int) -> bool:
-    """Return whether f = λ·g with a number λ that is not 0 in characteristic p."""
+    """Return whether f = λ·g for a number λ that is nonzero in characteristic p."""
     spend(3 * (len(f) + len(g)))
     f, g = modulo(f, p), modulo(g, p)
     if not f or not g or f.keys() != g.keys():

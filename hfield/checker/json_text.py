@@ -1,4 +1,4 @@
-"""Read JSON strictly: no key twice, no floats, bounded numbers and nesting."""
+"""Read JSON strictly: no repeated keys, no floats, bounded numbers and nesting."""
 
 import json
 from typing import NoReturn

@@ -1,8 +1,8 @@
 """The checker's own parser of statements, for the grammar of docs/reference/language.md.
 
-A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
-``("+", x, y)`` and so for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
-``("call", "norm", (x,))``, ``("not", x)``, ``("exists", ("q",), x)``. Two texts say the same when
+A tree is a tuple that begins with its kind: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``, ``("+", x,
+y)`` and likewise for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
+``("call", "norm", (x,))``, ``("not", x)``, ``("exists", ("q",), x)``. Two texts have the same meaning if
 their trees are equal.
 """
 
@@ -40,7 +40,7 @@ FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9_.]))?)"
     r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|<=|>=|\*\*|[-+*/^()\[\],:<>]))",
-    re.ASCII,  # so of blanks: what looks like a blank is one
+    re.ASCII,  # likewise blanks: every character that looks like a blank is one
 )
 BLANKS = " \t\n\r\f\v"
 
@@ -63,7 +63,7 @@ def parse(text: str) -> Tree:
 
 
 def walk(tree: Tree) -> list[Tree]:
-    """Return the tree and all trees in it."""
+    """Return the tree and all its subtrees."""
     out, stack = [], [tree]
     while stack:
         node = stack.pop()
@@ -74,7 +74,7 @@ def walk(tree: Tree) -> list[Tree]:
 
 
 def children(tree: Tree) -> tuple[Tree, ...]:
-    """Return the trees directly in ``tree``."""
+    """Return the immediate subtrees of ``tree``."""
     if tree[0] == "call":
         return tree[2]
     if tree[0] == "exists":
@@ -98,7 +98,7 @@ def with_parts(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
 
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
-    """Substitute trees for names (there is no ``exists`` in ``tree``)."""
+    """Substitute trees for names; ``tree`` must not contain ``exists``."""
     spend(1)
     if tree[0] == "name":
         return values.get(tree[1], tree)
@@ -109,7 +109,7 @@ CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
 def split(text: str, separator: str) -> list[str]:
-    """Part a text at the separators that are in no brackets."""
+    """Split a text at the separators outside brackets."""
     parts, closing = [""], list[str]()
     for char in text:
         if char == separator and not closing:
@@ -126,7 +126,7 @@ def split(text: str, separator: str) -> list[str]:
 
 
 class _Parser:
-    """Precedence climbing."""
+    """A parser by precedence climbing."""
 
     def __init__(self, text: str) -> None:
         self.text, self.at, self.depth = text, 0, 0
@@ -143,12 +143,12 @@ class _Parser:
 
     @property
     def word(self) -> str:
-        """The word to be read next, '' at the end."""
+        """The next word, '' at the end."""
         return self.words[self.at][1] if self.at < len(self.words) else ""
 
     @property
     def kind(self) -> str:
-        """The kind of that word."""
+        """The kind of the next word."""
         return self.words[self.at][0] if self.at < len(self.words) else "end"
 
     def fail(self, why: str) -> NoReturn:
@@ -164,7 +164,7 @@ class _Parser:
         return ""
 
     def need(self, word: str) -> None:
-        """Consume this word, or fail."""
+        """Consume this word, or reject the text."""
         if not self.next(word):
             self.fail(f"expected {word!r}")
 
@@ -212,7 +212,7 @@ class _Parser:
         return self.next(self.word)
 
     def power(self) -> Tree:
-        """Read an atom, its coordinate, its exponent."""
+        """Read an atom with its index and exponent."""
         tree = self.atom()
         if self.next("["):
             place = self.next("0", "1", "2", "3")

@@ -19,7 +19,7 @@ Value: TypeAlias = Tree | Matrix
 
 
 def without_matrices(tree: Tree, is_constant: Callable[[Tree], bool]) -> Tree:
-    """Return a statement about entries; ``is_constant`` says whether a name means an element of the field."""
+    """Return a statement about entries; ``is_constant`` tests whether a name is an element of the field."""
     free = {name for name in MATRICES if not any(is_constant(("name", x)) for x in _names(name))}
     for node in walk(tree):
         maker = node[0] == "call" and node[1] in MAKERS
@@ -41,7 +41,7 @@ class _MatrixWriter:
         self.free = free
 
     def truth(self, tree: Tree) -> Tree:
-        """Write out a statement."""
+        """Rewrite a statement."""
         spend(5)
         if tree[0] == "exists":
             bound: list[str] = []
@@ -64,20 +64,20 @@ class _MatrixWriter:
         found: Tree = (tree[0], *pairs[0])
         for pair in pairs[1:]:
             found = ("and" if tree[0] == "==" else "or", found, (tree[0], *pair))
-        if tree[0] == "!=":  # where an entry is undefined the comparison is false
+        if tree[0] == "!=":  # if an entry is undefined the comparison is false
             for x in (x for pair in pairs for x in pair if _may_be_undefined(x)):
                 found = ("and", found, ("==", x, x))
         return found
 
     def single(self, tree: Tree) -> Tree:
-        """Write out what may not be a matrix."""
+        """Rewrite a term that may not be a matrix."""
         found = self.value(tree)
         if isinstance(found, list):
             reject("a matrix stands where a quaternion or a scalar is expected")
         return found
 
     def value(self, tree: Tree) -> Value:
-        """Write out a term."""
+        """Rewrite a term."""
         spend(10)
         if tree[0] == "num":
             return tree
@@ -107,7 +107,7 @@ class _MatrixWriter:
         reject("expected a term where there is a statement")
 
     def call(self, function: str, arguments: tuple[Tree, ...]) -> Value:
-        """Write out a function of quaternions or of matrices."""
+        """Rewrite a function of quaternions or of matrices."""
         if function in MAKERS[:3]:
             if len(arguments) != (4 if function == "matrix" else 2):
                 reject(f"{function} does not take {len(arguments)} arguments")
@@ -155,7 +155,9 @@ def _entrywise(value: Value, function: Callable[[Tree], Tree]) -> Value:
 
 
 def _alike(left: Value, right: Value) -> tuple[Matrix, Matrix]:
-    """Return the rows of two values of one shape; a quaternion is a multiple of the identity, 0 any zero."""
+    """Return the rows of two values of one shape; a quaternion is a multiple of the identity, 0 has any
+    shape.
+    """
     shape = left if isinstance(left, list) else right
     out: list[Matrix] = []
     for value in (left, right):
@@ -175,7 +177,7 @@ def _alike(left: Value, right: Value) -> tuple[Matrix, Matrix]:
 
 
 def _joined(operator: Operator, left: Value, right: Value) -> Value:
-    """Write out a sum, a difference, a product or a quotient."""
+    """Rewrite a sum, a difference, a product or a quotient."""
     spend(20)
     if isinstance(left, tuple) and isinstance(right, tuple):
         return (operator, left, right)
@@ -192,7 +194,7 @@ def _joined(operator: Operator, left: Value, right: Value) -> Value:
 
 
 def _product(rows: Matrix, others: Matrix) -> Value:
-    """Multiply rows by columns; one row by one column is a quaternion."""
+    """Multiply rows by columns; the product of one row and one column is a quaternion."""
     spend(50)
     if len(rows[0]) != len(others):
         reject("two matrices whose shapes do not fit are multiplied")
@@ -208,7 +210,7 @@ def _product(rows: Matrix, others: Matrix) -> Value:
 
 
 def _may_be_undefined(tree: Tree) -> bool:
-    """Return whether a term divides."""
+    """Return whether a term contains a division."""
     divides = tree[0] == "/" or (tree[0] == "call" and tree[1] == "inv")
     fraction = tree[0] == "num" and not isinstance(tree[1], int)
     power = tree[0] == "pow" and tree[2] < 0

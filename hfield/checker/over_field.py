@@ -35,9 +35,9 @@ class EvaluationContext:
             self._values = dict(enumerate(values.values(), first))
 
     def coefficients(self, f: Poly, functions: bool) -> dict[Monomial, Hashable]:
-        """Return the coefficients that are not 0, by the monomials in the unknowns.
+        """Return the nonzero coefficients, by the monomials in the unknowns.
 
-        The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.
+        Constants of the field are substituted; with ``functions`` exponents are reduced by x^q = x.
         """
         spend(1 + 2 * len(f) + width(f))
         f, ring = modulo(f, self.p), self.ring
@@ -57,7 +57,7 @@ class EvaluationContext:
         return {m: c for m, c in out.items() if not ring.is_zero(c)}
 
     def need_algebra(self) -> None:
-        """Reject where the structure constants are defined for no values of the letters."""
+        """Reject if the structure constants are not defined for any values of the letters."""
         product = constant(1)
         for f in self.expansion.conditions:
             product = multiply(product, f)
@@ -73,7 +73,7 @@ class EvaluationContext:
         return self._known[key]
 
     def is_trivial(self, clause: Clause) -> bool:
-        """Return whether a goal vanishes entirely, or a hypothesis is a nonzero constant."""
+        """Return whether all polynomials of a goal vanish, or a hypothesis is a nonzero constant."""
         if any(all(map(self.vanishes, goal)) for goal in clause.goals):
             return True
         return any(self.is_nonzero(z) for z in clause.zeros)
@@ -82,7 +82,7 @@ class EvaluationContext:
         """Return whether a clause is trivial, or the product of its single-polynomial goals and one goal
         is 0.
 
-        Where such a goal is 0, the clause is true. Over a finite field a product may vanish alone.
+        If such a goal is 0, the clause is true. Over a finite field only the product may vanish.
         """
         if self.is_trivial(clause):
             return True
@@ -97,7 +97,7 @@ class EvaluationContext:
         )
 
     def is_nonzero(self, f: Frozen) -> bool:
-        """Return whether f is a nonzero constant there (for all fields: ±1)."""
+        """Return whether f is a nonzero constant (for all fields: ±1)."""
         found = self.coefficients(dict(f), False)
         if set(found) != {ONE}:
             return False
@@ -108,7 +108,7 @@ class EvaluationContext:
         return self.ring is not None and variables(f) <= self._values.keys()
 
     def same(self, f: Poly) -> Frozen:
-        """Return what f has in common with its multiples by units: coefficients made monic."""
+        """Return a normal form of f up to units: its coefficients made monic."""
         spend(5 + 2 * len(f) + width(f) // 4)
         f = modulo(f, self.p)
         if not f:
@@ -127,7 +127,7 @@ class EvaluationContext:
 
 
 def evaluation_context(statement: Statement, setting: Setting) -> EvaluationContext:
-    """Expand the statement; the algebra must exist somewhere, and nonzero must mean invertible."""
+    """Expand the statement; the algebra must exist for some values, and nonzero must mean invertible."""
     ring = setting.field
     if ring is not None and not ring.is_field and statement.divides:
         reject(f"a statement that divides is shown over {ring.name} by all cases only")

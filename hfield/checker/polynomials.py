@@ -1,9 +1,10 @@
 """Polynomials with integer coefficients, as dicts from monomials to nonzero coefficients.
 
-A variable is a number. A monomial is a tuple of pairs (variable, exponent) with exponents of at least
-1, variables falling; the empty tuple is 1. So two monomials are equal exactly when the tuples are,
-and tuples compare as monomials do lexicographically. What goes through all terms is paid for before it is
-begun, by their number, by the width of the monomials, which is that of the tuples, and by the coefficients.
+A variable is a number. A monomial is a tuple of pairs (variable, exponent) with positive exponents and
+descending variables; the empty tuple is 1. So two monomials are equal if and only if the tuples are, and the
+order of tuples is the lexicographic order of monomials. Each operation on all terms spends its cost in
+advance: it depends on the number of terms, the width of the monomials (the length of the tuples), and the
+coefficients.
 """
 
 import re
@@ -24,7 +25,7 @@ Poly = dict[Monomial, int]
 
 ONE: Monomial = ()
 _SIGN = re.compile(r"\s*([+-])", re.ASCII)
-# A number, or an atom with an exponent; then what shows whether the term goes on.
+# A number, or an atom with an exponent; then the sign that shows whether the term continues.
 _FACTOR = re.compile(
     r"\s*(?:([0-9]+)|([A-Za-z][A-Za-z0-9_]*(?:\[[0-3]\]|\([^()]*\))?)(?:\*\*([0-9]+))?)"
     r"\s*(\*(?!\*))?",
@@ -74,9 +75,10 @@ def multiply(f: Poly, g: Poly) -> Poly:
 
 
 def _long_product(f: Poly, g: Poly) -> Poly:
-    """Return f·g, the exponents of a monomial being digits of one number: so adding multiplies monomials.
+    """Return f·g, with the exponents of a monomial as digits of one number, so that adding codes multiplies
+    monomials.
 
-    What is new is paid for as it comes: many products may be few terms.
+    The cost of new terms is spent as they occur, because many products may give few terms.
     """
     names = sorted(variables(f) | variables(g))
     long = len(names) // 16
@@ -106,7 +108,7 @@ def _long_product(f: Poly, g: Poly) -> Poly:
 
 
 def width(f: Iterable[Monomial]) -> int:
-    """Return how many variables the monomials have together."""
+    """Return the total number of variables in the monomials."""
     return sum(map(len, f))
 
 
@@ -123,7 +125,7 @@ def times(m: Monomial, n: Monomial) -> Monomial:
 
 
 def _collect(f: Poly, m: Monomial, c: int) -> None:
-    """Add c·m to f; its cost was spent with its factors."""
+    """Add c·m to f; the cost was spent with the factors."""
     total = f.get(m, 0) + c
     bits = total.bit_length()
     if bits > LONG_NUMBER_BITS:
@@ -155,7 +157,7 @@ def modulo(f: Poly, p: int) -> Poly:
 
 
 def is_constant(f: Poly) -> bool:
-    """Return whether f is a constant other than 0."""
+    """Return whether f is a nonzero constant."""
     return len(f) == 1 and ONE in f
 
 
@@ -186,7 +188,7 @@ def divide(f: Poly, g: Poly) -> Poly | None:
 
 
 class Names:
-    """The variables of a polynomial ring: each is a tree, such as ``("name", "s")`` or q[0]'s."""
+    """The variables of a polynomial ring: each is a tree, such as ``("name", "s")`` or the tree of q[0]."""
 
     def __init__(self, trees: Sequence[Tree]) -> None:
         spend(5 * len(trees))
@@ -205,7 +207,7 @@ class Names:
         return Names((*self.trees, *(("name", name) for name in names)))
 
     def read(self, text: str, what: str) -> Poly:
-        """Read all of a sum of terms such as ``- 2*q[0]**2*s + sqrt(2)``, or reject it."""
+        """Read a whole text as a sum of terms such as ``- 2*q[0]**2*s + sqrt(2)``, or reject it."""
         if len(text) > MAX_TEXT:
             reject(f"{what} is longer than {MAX_TEXT} characters")
         spend(10 + len(text))
@@ -239,7 +241,7 @@ class Names:
         return out
 
     def _number(self, atom: str, what: str) -> int:
-        """Return the number of the variable that is written so."""
+        """Return the number of the variable with this notation."""
         if atom not in self._atoms:
             place = self.place.get(parse(atom))
             if place is None:

@@ -26,7 +26,7 @@ EVALUATION_COST = 400  # of evaluating a statement once
 
 
 def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[Setting, str]:
-    """Return the setting in which evidence of a kind is read, and the scope of its conclusion."""
+    """Return the setting in which evidence of a kind is read, and the scope of the conclusion."""
     field = setting.field
     if field is None:
         scope = ORDERED_FIELDS
@@ -70,9 +70,7 @@ def _names(tree: Tree) -> set[str]:
 
 
 def is_false_at(statement: Statement, setting: Setting, ring: AnyRing, values: object) -> bool:
-    """Return whether a statement is false for values that are elements of a ring, read as real numbers
-    too.
-    """
+    """Return whether a statement is false at values in a ring, which are also read as real numbers."""
     assert statement.ordered is not None
     read_values(ring, values, _unknowns(statement))
     found = read_values(REALS, values, _unknowns(statement))
@@ -89,7 +87,7 @@ class _InOrder(Evaluator[Surd, bool]):
         super().__init__(RingScalars(REALS), constants, values)
 
     def truth(self, tree: Tree) -> bool:
-        """Return the truth of a statement without quantifiers."""
+        """Return the truth value of a quantifier-free statement."""
         if tree[0] not in ORDER:
             return super().truth(tree)
         self.needed = ()
@@ -114,7 +112,7 @@ class _InOrder(Evaluator[Surd, bool]):
         return REALS.neg(product[0]) if tree[1] == "dot" else Quaternion((zero, *product[1:]))
 
     def _modulus(self, norm: Surd) -> Surd:
-        """Return the root of a rational number that is not negative."""
+        """Return the square root of a nonnegative rational number."""
         if any(key for key, _ in norm) or REALS.sign(norm) == -1:
             reject("the modulus of a witness is not a square root of a rational number")
         number = norm[0][1] if norm else 0

@@ -35,19 +35,19 @@ def shown(value: object, limit: int = 60) -> str:
 
 
 def one_line(text: str) -> str:
-    """Write all of a text in one line, with nothing in it that does not show."""
+    """Write a whole text on one line, without invisible characters."""
     return "".join(c if c.isprintable() else "?" for c in " ".join(text.split()))
 
 
 def keyed(value: object, what: str = "the evidence") -> Mapping[str, object]:
-    """Return a JSON object, whichever keys it has."""
+    """Return a JSON object with any keys."""
     if not isinstance(value, dict):
         reject(f"{what} must be an object, found {shown(value)}")
     return value
 
 
 def an_object(value: object, keys: str, what: str, optional: str = "") -> Mapping[str, object]:
-    """Return a JSON object that has exactly the keys named (``optional`` ones may be missing)."""
+    """Return a JSON object with exactly these keys (``optional`` ones may be missing)."""
     found = keyed(value, what)
     wanted, allowed = set(keys.split()), {*keys.split(), *optional.split()}
     for key in found:
@@ -60,7 +60,7 @@ def an_object(value: object, keys: str, what: str, optional: str = "") -> Mappin
 
 
 def kind_of(evidence: object) -> str:
-    """Return the kind of some evidence."""
+    """Return the kind of evidence."""
     kind = keyed(evidence).get("kind")
     if not isinstance(kind, str):
         reject("the evidence must be an object with a text 'kind'")

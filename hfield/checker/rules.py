@@ -1,6 +1,6 @@
 """Check the rules of a field that steps of an implication use.
 
-Each is verified, before any step uses it. docs/explanation/trust.md has the proofs.
+Each rule is verified before a step uses it. docs/explanation/trust.md has the proofs.
 """
 
 from collections.abc import Hashable, Mapping
@@ -35,13 +35,13 @@ MAX_FACTS = 32
 
 
 class Rules:
-    """The facts of one implication, verified."""
+    """The verified facts of one implication."""
 
     def __init__(
         self, expansion: Expansion, setting: Setting, context: EvaluationContext, facts: object
     ) -> None:
         self.expansion, self.setting, self.context = expansion, setting, context
-        # By the algebra; "" is that of the statement.
+        # By algebra; "" is the algebra of the statement.
         self.norms: dict[str, Evaluator[Quotient, Formula]] = {}
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
         self.roots = False
@@ -66,7 +66,7 @@ class Rules:
                 reject("a fact is of no known form, or stands there twice")
 
     def _norm(self, fact: Mapping[str, object], ring: AnyRing) -> None:
-        """The norm form of an algebra over the field, that of the statement or one that is named."""
+        """Verify that the norm form of an algebra over the field is anisotropic; the algebra may be named."""
         setting, name = self.setting, ""
         if "algebra" in fact:
             name = a_text(fact["algebra"], "an algebra")
@@ -84,7 +84,9 @@ class Rules:
         self.norms[name] = Evaluator(general.s, setting.constants, general.values)
 
     def _squares(self, raw: object, ring: AnyRing) -> None:
-        """Σ c·X² is 0 only at 0, for at most ``most`` terms; with any c > 0 if ``positive``, else c = 1."""
+        """Verify the rule that Σ c·X² is 0 only at 0, for at most ``most`` terms; c is 1, or any positive
+        number if ``positive``.
+        """
         fact = an_object(raw, "form by most positive", "a fact")
         positive = fact["positive"]
         if not isinstance(positive, bool):
@@ -98,7 +100,7 @@ class Rules:
         self.squares = most, positive
 
     def form(self, kind: str, step: Mapping[str, object], terms: list[Poly], names: Names) -> Poly:
-        """Return a form in the terms that is 0 only where all of them are, times a number that is not 0."""
+        """Return a nonzero number times a form in the terms that is 0 only if all terms are."""
         if kind == "norm":
             name = a_text(step.get("algebra", ""), "an algebra")
             if len(terms) != 4 or name not in self.norms:
@@ -148,14 +150,14 @@ class Rules:
         self._need_rootless([self._value(parts.get(k, {})) for k in range(max(parts) + 1)])
 
     def _value(self, f: Poly) -> Hashable:
-        """Return the element of the field that a polynomial in its constants is."""
+        """Return the element of the field given by a polynomial in its constants."""
         found = self.context.coefficients(f, False)
         if not set(found) <= {()} or self.setting.field is None:
             reject("a coefficient is not an element of the field")
         return found.get((), self.setting.field.zero)
 
     def _need_rootless(self, values: list[Hashable]) -> None:
-        """Reject unless Σ cₖ·xᵏ has the degree that it seems to have, and no root in the field."""
+        """Reject unless Σ cₖ·xᵏ has a nonzero leading coefficient, and no root in the field."""
         ring = self.setting.field
         if ring is None or not self.roots:
             reject("a step uses the fact 'roots', which is not there")

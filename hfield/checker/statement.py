@@ -1,6 +1,6 @@
 """The subject of a certificate: its statement, unknowns, algebra and field.
 
-Everything here is derived from the keys ``statement``, ``algebra`` and ``ring`` alone.
+Everything here is derived from the keys ``statement``, ``algebra`` and ``ring``.
 """
 
 import re
@@ -25,9 +25,9 @@ MAX_CONSTANT_SIZE = 200
 class Setting:
     """A ring, or None for all fields at once, and the trees of the structure constants.
 
-    ``moved`` marks one of the fields at which a statement about all of them is looked at. ``named`` are the
-    rings that words of the statement name. ``table`` is the algebra where that is given by its table; the
-    constants are then those of H, and ``algebra`` is that text, since coordinates are scalars.
+    ``moved`` marks a single field to which a statement about all fields is restricted. ``named`` are the
+    rings that words of the statement name. ``table`` is the algebra if it is given by a table. Then the
+    constants are those of H, because coordinates are scalars, and ``algebra`` is the text of the table.
     """
 
     field: AnyRing | None
@@ -39,7 +39,7 @@ class Setting:
     table: Table | None = None
 
     def with_letters(self, values: dict[str, Tree]) -> "Setting":
-        """Return the algebra with terms of the field for all of its letters."""
+        """Return the algebra with all its letters replaced by terms of the field."""
         a, t, b = (substitute(tree, values) for tree in self.constants)
         return replace(self, constants=(a, t, b), letters=())
 
@@ -48,7 +48,7 @@ HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("
 
 
 def read_any_setting(algebra: str, ring: AnyRing | None) -> Setting:
-    """Read a quaternion algebra, or an algebra by its table."""
+    """Read a quaternion algebra, or an algebra given by a table."""
     if not is_table(algebra):
         return read_setting(algebra, ring)
     table = read_table(algebra, ring)
@@ -90,11 +90,11 @@ def _letters(tree: Tree, field: AnyRing | None) -> list[str]:
 
 @dataclass(frozen=True)
 class Statement:
-    """For all ``unknowns`` that are not in ``exists``: hypotheses ⇒ (there are …) conclusion.
+    """For all ``unknowns`` not in ``exists``: hypotheses ⇒ (there exist …) conclusion.
 
-    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements.
-    ``ordered`` is the statement with moduli and comparisons, if it has any; all else is about the real
-    closure.
+    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` are trees of field elements.
+    ``ordered`` is the statement with moduli and comparisons, if it has any; everything else is then about the
+    real closure.
     """
 
     unknowns: tuple[tuple[str, str], ...]
@@ -116,12 +116,12 @@ class Statement:
 
     @property
     def given(self) -> tuple[tuple[str, str], ...]:
-        """The unknowns that the statement is for all values of."""
+        """The universally quantified unknowns."""
         return tuple((name, sort) for name, sort in self.unknowns if name not in self.exists)
 
 
 def read_statement(text: str, setting: Setting) -> Statement:
-    """Read a statement of the language, as the field and the algebra make its names mean."""
+    """Read a statement of the language; the field and the algebra determine the meaning of names."""
     tree = parse(text)
     if setting.table is not None:
         tree = in_coordinates(tree, setting.table)
@@ -140,7 +140,7 @@ def sort_of(tree: Tree, setting: Setting) -> tuple[str, frozenset[str], bool]:
 
 
 class _StatementReader:
-    """One pass over the tree: sorts, unknowns, constants of the field."""
+    """One pass over the tree, which finds sorts, unknowns and constants of the field."""
 
     def __init__(self, setting: Setting) -> None:
         self.setting = setting
@@ -186,7 +186,7 @@ class _StatementReader:
         )
 
     def is_constant(self, tree: Tree) -> bool:
-        """Return whether a tree means an element of the field."""
+        """Return whether a tree is an element of the field."""
         return self.field is not None and self.field.constant(tree) is not None
 
     def is_scalar(self, tree: Tree) -> bool:
@@ -202,7 +202,7 @@ class _StatementReader:
         return "s" if (len(name) == 1 and name in SCALARS) or name in self.letters else None
 
     def truth(self, tree: Tree) -> None:
-        """Read a statement without quantifiers."""
+        """Read a quantifier-free statement."""
         spend(5)
         if tree[0] in ("==", "!="):
             self.unequal |= tree[0] == "!="

@@ -1,8 +1,8 @@
-"""Rewrite statements about algebras by their tables as statements about coordinates.
+"""Rewrite statements about algebras given by tables as statements about coordinates.
 
-``table(e, i; 1 = e: e, i; i, -e|QQ)`` names the basis, the unit if there is one, and the products of the
-basis vectors, row times column. An unknown element is what its coordinates are: those of the unknown
-quaternion of its letter, and above dimension 4 those of entries of matrices too.
+``table(e, i; 1 = e: e, i; i, -e|QQ)`` lists the basis, the unit if there is one, and the products of the
+basis vectors, row times column. An unknown element is represented by its coordinates: those of the unknown
+quaternion with the same letter, and above dimension 4 also matrix entries.
 """
 
 import re
@@ -43,12 +43,12 @@ class Table:
 
 
 def is_table(algebra: str) -> bool:
-    """Return whether the text of an algebra is that of a table."""
+    """Return whether the text of an algebra is a table."""
     return algebra.startswith("table(")
 
 
 def read_table(algebra: str, ring: AnyRing | None) -> Table:
-    """Read an algebra by its table, over a ring that is named; the unit has to be one."""
+    """Read an algebra given by a table over a named ring; the unit must be correct."""
     if ring is None or not algebra.endswith(f"|{ring.name})"):
         reject(f"the table {shown(algebra)!r} names another ring than the data")
     head, colon, body = algebra[len("table(") : -len(ring.name) - 2].partition(":")
@@ -78,7 +78,7 @@ def read_table(algebra: str, ring: AnyRing | None) -> Table:
 
 
 def _check_unit(table: Table) -> None:
-    """Reject a unit that is none: 1·x = x = x·1 for each basis vector x."""
+    """Reject a false unit: 1·x = x = x·1 must hold for each basis vector x."""
     ring, n = table.ring, len(table.names)
     if table.one is None:
         return
@@ -97,13 +97,13 @@ def _check_unit(table: Table) -> None:
 
 
 class _Linear:
-    """Reads combinations of basis vectors."""
+    """Reads linear combinations of basis vectors."""
 
     def __init__(self, ring: AnyRing, names: tuple[str, ...]) -> None:
         self.ring, self.names = ring, names
 
     def read(self, text: str) -> Vector:
-        """Return the coordinates; those that are 0 are the number 0."""
+        """Return the coordinates; zeros are the number 0."""
         tree = parse(text)
         nodes = walk(tree)
         if len(nodes) > MAX_CONSTANT * len(self.names):
@@ -112,7 +112,7 @@ class _Linear:
         return [ZERO if self.ring.is_zero(self.ring.value(c, text)) else c for c in found]
 
     def is_scalar(self, tree: Tree) -> bool:
-        """Return whether no basis vector occurs in a term."""
+        """Return whether a term contains no basis vector."""
         return not any(node[0] == "name" and node[1] in self.names for node in walk(tree))
 
     def vector(self, tree: Tree) -> Vector:
@@ -137,7 +137,7 @@ class _Linear:
 
 
 def in_coordinates(tree: Tree, table: Table) -> Tree:
-    """Return a statement about elements of the algebra as one about their coordinates."""
+    """Return a statement about elements of the algebra as a statement about their coordinates."""
     written = _TableWriter(table).truth(tree)
     size, stack = 0, [written]
     while stack:
@@ -151,12 +151,13 @@ def in_coordinates(tree: Tree, table: Table) -> Tree:
 
 
 class _TableWriter:
-    """One statement: a value is a tree, for a scalar, or a list of them."""
+    """The expansion of one statement; a value is a tree for a scalar, or a list of trees."""
 
     def __init__(self, table: Table) -> None:
         self.table, self.names = table, table.names
-        # Of a comparison: what may be undefined, and whether elements occur besides scalars. A quotient in a
-        # coordinate that is left out, being 0, makes the comparison undefined all the same.
+        # For a comparison: what may be undefined, and whether elements occur besides scalars. If a
+        # coordinate is omitted because it is 0, a quotient in it still makes the comparison
+        # undefined.
         self.quotients: list[Tree] = []
         self.elements = False
         needed = -(-len(self.names) // 4)
@@ -170,11 +171,11 @@ class _TableWriter:
                 reject("the field has an element with the name of a coordinate")
 
     def is_constant(self, name: str) -> bool:
-        """Return whether a name means an element of the field."""
+        """Return whether a name is an element of the field."""
         return self.table.ring.constant(("name", name)) is not None
 
     def truth(self, tree: Tree) -> Tree:
-        """Write out a statement."""
+        """Rewrite a statement."""
         spend(5)
         if tree[0] == "exists":
             if any(name in self.names for name in tree[1]):
@@ -212,7 +213,7 @@ class _TableWriter:
         return [_times(c, x) for c in self.table.one]
 
     def value(self, tree: Tree) -> Value:
-        """Write out a term."""
+        """Rewrite a term."""
         spend(5 + len(self.names))
         if tree[0] == "num":
             if isinstance(tree[1], Fraction):
@@ -316,7 +317,7 @@ def _negative(x: Vector) -> Vector:
 
 
 def _total(terms: Vector) -> Tree:
-    """Add by halves, which keeps the tree low."""
+    """Add terms in a balanced tree."""
     while len(terms) > 1:
         pairs = zip(terms[::2], [*terms[1::2], None], strict=False)
         terms = [x if y is None else ("+", x, y) for x, y in pairs]

@@ -2,7 +2,8 @@
 
 In a real closed field ``abs(q)`` is the only number m² with m⁴ = norm(q). So a statement with moduli is
 equivalent to the statement for all values of its unknowns and all m with m⁴ = norm(q). As a claim, ``x >= 0``
-means ``x == 0 or x != -z**2`` for all z; as a hypothesis, ``x == z**2`` for some z. ``x > 0`` likewise.
+means ``x == 0 or x != -z**2`` for all z; as a hypothesis, ``x == z**2`` for some z. ``x > 0`` is treated
+similarly.
 """
 
 from collections.abc import Callable
@@ -25,9 +26,9 @@ def has_order_words(tree: Tree) -> bool:
 def without_words(
     tree: Tree, field: AnyRing | None, hamilton: bool, is_scalar: Callable[[Tree], bool]
 ) -> Tree:
-    """Return a statement that says the same without these words, over the real closure of the field.
+    """Return an equivalent statement without these words, over the real closure of the field.
 
-    Moduli are defined where the norm is never negative: in H. ``is_scalar`` tells whether a term without
+    Moduli are defined if the norm is never negative, as in H. ``is_scalar`` tests whether a term without
     these words is a scalar.
     """
     nodes = walk(tree)
@@ -56,7 +57,7 @@ class _Writer:
         self.hypotheses: list[Tree] = []
 
     def statement(self, tree: Tree, claimed: bool) -> Tree:
-        """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
+        """Rewrite a statement, as a claim or, unless ``claimed``, as a hypothesis."""
         spend(5)
         if tree[0] == "exists":
             return ("exists", tree[1], self.statement(tree[2], claimed))
@@ -82,7 +83,7 @@ class _Writer:
         return self.write(tree)
 
     def order(self, kind: Operator, left: Tree, right: Tree, claimed: bool) -> Tree:
-        """Write out a comparison: x is nonnegative if it is a square, negative if −x is one and x ≠ 0."""
+        """Rewrite a comparison: x is nonnegative if it is a square, negative if −x is a square and x ≠ 0."""
         if self.quantified:
             reject("a statement cannot have both a comparison and 'exists'")
         if not (self.is_scalar(left) and self.is_scalar(right)):
@@ -98,7 +99,7 @@ class _Writer:
         return squared if kind in (">=", "<=") else ("and", squared, ("!=", z, zero))
 
     def write(self, tree: Tree) -> Tree:
-        """Write out a term, or a comparison by == or !=."""
+        """Rewrite a term, or a comparison by == or !=."""
         spend(5)
         if tree[0] != "call":
             return with_parts(tree, self.write)

@@ -1,9 +1,10 @@
 """The command ``hfield``: find the command, run it, print each error as one line.
 
-Nothing heavy is imported here, nor for ``--help`` and ``--version``. A command is a module with
-``HELP``, ``configure(parser)`` and ``run(args) -> int``: one of :mod:`hfield.cli.commands`, or what
-another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY`` and the
-group of the help, ``HEADING``. ``DOING`` is what a slow command prints on a terminal meanwhile.
+No heavy module is imported here, so ``--help`` and ``--version`` are quick. A command is a module with
+``HELP``, ``configure(parser)`` and ``run(args) -> int``, either in :mod:`hfield.cli.commands` or in another
+package. Other packages name their commands in the entry points ``hfield.commands``; there ``SUMMARY`` is one
+line for the help, and ``HEADING`` is the group in the help. A slow command prints ``DOING`` on a terminal
+while it runs.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from hfield.cli.output import encodable, say, terminal_width
 from hfield.cli.status import Waiting
 from hfield.errors import HFieldError, shorten
 
-TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
+TRACEBACK = "HFIELD_TRACEBACK"  # set it to see the origin of an error
 
 PURPOSE = (
     "Compute in quaternion algebras over arbitrary fields, prove or refute statements about them, "
@@ -32,7 +33,7 @@ BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` and return its exit status: 2 for bad usage, 130 for Ctrl-C."""
-    for name in ("stdout", "stderr"):  # None where the shell has closed them: `hfield … >&-`
+    for name in ("stdout", "stderr"):  # None if the shell has closed them: `hfield … >&-`
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     try:
@@ -48,7 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail("interrupted", INTERRUPTED)
     except HFieldError as error:
         return _fail(str(error), BAD_USAGE)
-    except OSError as error:  # files say so themselves: this is the terminal, or where it leads
+    except OSError as error:  # files report their own errors: this is standard output
         _forget_stdout()
         return _fail(f"cannot write the output: {error.strerror or error}", BAD_USAGE)
     except RecursionError:
@@ -63,7 +64,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _forget_stdout() -> None:
-    """Lead stdout nowhere: Python would complain when it flushes it at exit."""
+    """Redirect stdout to the null device, so that Python does not complain when it flushes stdout at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 

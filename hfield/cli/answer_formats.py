@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class OutputDocument:
-    """An answer in all formats, JSON, text and others, with its exit status; only the wanted format is
+    """An answer in JSON, text and other formats, with an exit status; only the requested format is
     computed.
     """
 
@@ -39,7 +39,7 @@ class OutputDocument:
 def of_parts(
     data: Callable[[], Mapping[str, object]], parts: Callable[[], Sequence[AnswerSection]]
 ) -> OutputDocument:
-    """Return the answer whose page and LaTeX are laid out from parts."""
+    """Return the answer whose text and LaTeX are laid out from sections."""
     from hfield import presenting
 
     return OutputDocument(
@@ -52,7 +52,7 @@ def of_parts(
 def of_styles(
     data: Callable[[], Mapping[str, object]], page: Callable[[str], str], status: int = 0
 ) -> OutputDocument:
-    """Return the answer whose page is written in a style of elements, plain or unicode."""
+    """Return the answer whose text is written in a style of elements, plain or unicode."""
     return OutputDocument(
         data, lambda _: page("plain"), {"unicode": lambda: page("unicode")}, status
     )

@@ -17,7 +17,7 @@ from hfield.errors import HFieldError, shorten
 
 _SIGN = re.compile(r"[+*/^=<>!]+")
 LINES = ("jsonl", "csv")  # the formats that write an answer a line
-WORST = (0, 1, 3, 2)  # exit statuses, from the one that any other hides to the one that hides all
+WORST = (0, 1, 3, 2)  # exit statuses; a later one overrides an earlier one
 
 
 def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -> None:
@@ -41,12 +41,12 @@ def answer_all(
     columns: Sequence[str],
     apart: bool = True,
 ) -> int:
-    """Answer each input in turn and return the worst exit status.
+    """Answer each input in turn and return the largest exit status.
 
-    The first column of ``columns``, the keys of the JSON that ``--format csv`` writes, names the input. One
-    input is answered as if there were no others to come, and its errors are raised; of many, each error is an
-    answer too, with status 2, and the rest go on. An empty line stands between pages, if they are ``apart``.
-    Raises :class:`UsageError` where there is no input.
+    The first of ``columns``, the JSON keys that ``--format csv`` writes, names the input. The errors of a
+    single input are raised. With several inputs an error becomes an answer with status 2, and the remaining
+    inputs are answered. If ``apart``, answers are separated by an empty line. Raises :class:`UsageError` if
+    there is no input.
     """
     check_given(args)
     with open_output(args.output) as out:
@@ -65,7 +65,7 @@ def answer_all(
 
 
 def check_given(args: Namespace) -> None:
-    """Raise :class:`UsageError` where there is no input, or one that the shell has split at blanks."""
+    """Raise :class:`UsageError` if there is no input, or if the shell has split an unquoted one."""
     if any(_SIGN.fullmatch(word) for word in args.inputs):
         whole = " ".join(args.inputs)
         raise UsageError(
@@ -108,7 +108,7 @@ def _answer_many(
 
 
 def texts(args: Namespace) -> Iterator[str]:
-    """Yield the inputs in order, those of files as they are read. Raises :class:`UsageError`."""
+    """Yield the inputs in order, reading files lazily. Raises :class:`UsageError`."""
     for word in args.inputs:
         yield from _lines_of(word) if word == "-" else (word,)
     if args.source is not None:
@@ -132,7 +132,7 @@ def _lines_of(name: str) -> Iterator[str]:
 
 
 class Lines:
-    """Writes answers as JSON lines, or as CSV with a head."""
+    """Writes answers as JSON lines, or as CSV with a header."""
 
     def __init__(self, out: Sink, format: str, columns: Sequence[str]) -> None:
         self.out, self.format, self.columns = (out, format, columns)
@@ -155,7 +155,7 @@ class Lines:
 
 
 def _cell(value: object) -> str:
-    """Write a value into a cell: nothing for None, lists of texts by blanks, the rest as JSON."""
+    """Format a CSV cell: empty for None, a list of texts joined by blanks, anything else as JSON."""
     if value is None or isinstance(value, str):
         return value or ""
     if isinstance(value, list) and all(isinstance(x, str | int) for x in value):

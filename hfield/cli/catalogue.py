@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 
-# The groups of `hfield --help`, each with its commands and what they do.
+# The groups of `hfield --help`, with their commands and descriptions.
 GROUPS: dict[str, dict[str, str]] = {
     "Decide": {
         "prove": "prove or refute a statement",
@@ -92,9 +92,9 @@ def names() -> list[str]:
 
 
 def groups() -> dict[str, dict[str, str]]:
-    """Return the groups of the help, each with its commands and what they do, in a line.
+    """Return the groups of the help, each with its commands and their one-line summaries.
 
-    A command of another package is in the group that its module names in ``HEADING``.
+    The group of a foreign command is its module's ``HEADING``.
     """
     found = {title: dict(group) for title, group in GROUPS.items() if title != LAST}
     for name, point in _foreign().items():
@@ -122,7 +122,7 @@ def _load(name: str) -> ModuleType:
 
 @cache
 def _foreign() -> dict[str, EntryPoint]:
-    """Return the entry points of other packages by the name of their command."""
+    """Return the entry points of other packages by command name."""
     from importlib.metadata import entry_points
 
     return {point.name: point for point in entry_points(group=GROUP)}
@@ -132,7 +132,7 @@ def _described(point: EntryPoint) -> tuple[str, str]:
     """Return ``HEADING`` and ``SUMMARY`` of a command of another package, or defaults."""
     try:
         module = point.load()
-    except Exception as error:  # one broken package does not take the help away from the others
+    except Exception as error:  # one broken package must not disable the help for the others
         return OTHER, f"(cannot be loaded: {error})"
     summary = getattr(module, "SUMMARY", f"(see `hfield {point.name} --help`)")
     return str(getattr(module, "HEADING", OTHER)), str(summary)

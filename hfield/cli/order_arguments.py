@@ -1,4 +1,4 @@
-"""Arguments and certificates that the commands about orders, ideals and classes share."""
+"""Arguments and certificates shared by the commands about orders, ideals and classes."""
 
 from __future__ import annotations
 
@@ -107,12 +107,12 @@ def class_search(args: Namespace) -> Iterator[Executor | None]:
 
 
 def _size(path: str | None) -> int:
-    """Return the size of a file in bytes, 0 where there is none."""
+    """Return the size of a file in bytes, 0 if it does not exist."""
     return Path(path).stat().st_size if path is not None and Path(path).exists() else 0
 
 
 def add_algebra(parser: ArgumentParser) -> None:
-    """Declare the algebra."""
+    """Declare the algebra argument."""
     parser.add_argument(
         "algebra",
         metavar="ALGEBRA",
@@ -121,7 +121,7 @@ def add_algebra(parser: ArgumentParser) -> None:
 
 
 def add_where(parser: ArgumentParser) -> None:
-    """Declare the algebra and the level."""
+    """Declare the algebra and level arguments."""
     add_algebra(parser)
     parser.add_argument(
         "--level",
@@ -132,7 +132,7 @@ def add_where(parser: ArgumentParser) -> None:
 
 
 def algebra_of(text: str) -> QuaternionAlgebra:
-    """Read an algebra, or the one of a discriminant. Raises :class:`RingError`."""
+    """Read an algebra, or a discriminant over ℚ. Raises :class:`RingError`."""
     from hfield.algebra import QuaternionAlgebra
 
     return QuaternionAlgebra(text)
@@ -153,7 +153,7 @@ def announce(number: int, seconds: float, instead: str) -> None:
 
 
 def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
-    """Read elements that are separated by commas. Raises :class:`UsageError` where there is none."""
+    """Read elements separated by commas. Raises :class:`UsageError` if there is none."""
     words = [word for word in split(text, ",") if word.strip()]
     if not words:
         raise UsageError(f"{what} names no element; expected elements such as 'i, j'")
@@ -161,9 +161,9 @@ def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
 
 
 def level_of(text: str, A: QuaternionAlgebra, what: str = "level") -> BaseIdeal:
-    """Read a level: a positive integer over ℚ, or generators of an ideal over another field, with commas.
+    """Read a level: a positive integer over ℚ, or comma-separated generators of an ideal over another field.
 
-    ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`LatticeError`.
+    Ideals as hfield prints them, such as ``ideal(31, 5 + gen)``, are read too. Raises :class:`LatticeError`.
     """
     from hfield.orders.basis import basis_of
 
@@ -177,7 +177,7 @@ def summands(L: Lattice) -> list[tuple[str, str]]:
 
 
 def lattice_data(L: Lattice) -> dict[str, object]:
-    """Return a lattice for programs: rows, and a pseudo-basis where a basis has more than four elements."""
+    """Return a lattice as JSON data: rows, and a pseudo-basis if a basis has more than four elements."""
     from hfield.orders.lattice_values import rows_json
 
     pairs = {} if len(L.basis) == 4 else {"pseudo_basis": summands(L)}
@@ -185,12 +185,12 @@ def lattice_data(L: Lattice) -> dict[str, object]:
 
 
 def class_data(ideal: Ideal) -> dict[str, object]:
-    """Return an ideal that represents its class, for programs."""
+    """Return the JSON data of an ideal that represents its class."""
     return {**lattice_data(ideal), "norm": ideal_json(ideal.norm())}
 
 
 def unit_numbers(C: ClassSet) -> list[int]:
-    """Return the numbers of units by class; if they are infinite, modulo the units of the field."""
+    """Return the numbers of units by class, modulo the units of the field if they are infinite."""
     from hfield.errors import NotFiniteError
 
     try:
@@ -200,10 +200,10 @@ def unit_numbers(C: ClassSet) -> list[int]:
 
 
 def unit_groups(C: ClassSet) -> Iterator[str]:
-    """Yield the name of the group of units of the left order of each class."""
+    """Yield, for each class, the name of the unit group of the left order."""
     known: dict[int, str] = {}
     for ideal, index, kind in zip(C, C.units, C.types, strict=True):
-        # where there are not units but those of the field, groups are alike
+        # if the only units are those of the field, the groups are isomorphic
         key = kind if index > 1 else -1
         if key not in known:
             known[key] = ideal.left_order().unit_group()
@@ -227,7 +227,7 @@ def basis_text(L: Lattice) -> str:
 def ideal_json(ideal: Any, number: Callable[[Any], object] = int) -> object:
     """Return generators, the absolute norm and the prime factors of an ideal.
 
-    Of ℤ it is the generator: an int, or what ``number`` makes of it where it may be a fraction.
+    For ℤ the result is the generator: an int, or ``number`` of it if it may be a fraction.
     """
     if not hasattr(ideal, "generators"):
         return number(ideal)

@@ -37,25 +37,27 @@ class OutputError(HFieldError, OSError):
 
 
 class Sink:
-    """One open place for output."""
+    """An open output: stdout or a file."""
 
     def __init__(self, stream: TextIO) -> None:
         self.stream = stream
         self._ending = ""
 
     def write(self, text: str) -> None:
-        """Write a text and end its last line."""
+        """Write a text that ends with a newline."""
         STATUS.erase()
         print(encodable(text.rstrip("\n"), self.stream), file=self.stream)
 
     def write_lines(self, lines: Iterable[str], below: str) -> None:
-        """Write lines, whole in a pipe or a file; where they have to fit they go on, set in, in the next."""
+        """Write lines; they are wrapped, with indented continuation lines, only where the width is
+        limited.
+        """
         if _has_width(self.stream):
             lines = [gone_on(line, terminal_width(), below) for line in lines]
         self.write("\n".join(lines))
 
     def write_json(self, data: Mapping[str, object]) -> None:
-        """Write JSON, each entry on a line of its own, in letters where the encoding has them."""
+        """Write JSON with one entry per line, and with non-ASCII letters if the encoding has them."""
         STATUS.erase()
         text = _lay_out(data)
         if not _encodes(text, self.stream):
@@ -63,7 +65,7 @@ class Sink:
         print(text, file=self.stream)
 
     def write_latex(self, text: str, standalone: bool) -> None:
-        """Write a piece of LaTeX; standalone pieces are joined into one document."""
+        """Write a LaTeX fragment; standalone fragments are joined into one document."""
         if standalone and not self._ending:
             from hfield.latex import document
 
@@ -72,12 +74,12 @@ class Sink:
         self.write(text)
 
     def finish(self) -> None:
-        """Write what ends a document."""
+        """Write the end of the document."""
         if self._ending:
             self.write(self._ending.lstrip("\n"))
 
     def style(self) -> TerminalStyle:
-        """Return what this place can show: its width, unicode, colours."""
+        """Return what the output can display: width, unicode, colours."""
         from hfield.ledger.claims_table import TerminalStyle
 
         terminal = self.stream.isatty()
@@ -87,17 +89,18 @@ class Sink:
 
 
 def terminal_width() -> int:
-    """Return the width of printed lines: that of the terminal, up to a maximum."""
+    """Return the line width: that of the terminal, up to a maximum."""
     return min(MAX_WIDTH, get_terminal_size((MAX_WIDTH, 24)).columns)
 
 
 def _has_width(stream: TextIO) -> bool:
-    """Return whether lines are wrapped: on a terminal, or where COLUMNS is set."""
+    """Return whether lines are wrapped: on a terminal, or if COLUMNS is set."""
     return stream.isatty() or bool(os.environ.get("COLUMNS"))
 
 
 def gone_on(text: str, width: int, below: str = "  ") -> str:
-    """Return a text as lines of a width, all but the first set in; a long word stays whole, it may be a path.
+    """Return a text wrapped to a width, with indented continuation lines; long words, such as paths, are not
+    split.
 
     >>> print(gone_on("cannot read no/such/file: there is none", 22))
     cannot read
@@ -113,7 +116,7 @@ def gone_on(text: str, width: int, below: str = "  ") -> str:
 
 @contextmanager
 def open_output(path: str | None) -> Iterator[Sink]:
-    """Open stdout or a file; a file is created early and put in place only on success.
+    """Open stdout or a file; a file is created at once and takes its final name only on success.
 
     Raises :class:`OutputError` when the file cannot be written.
     """
@@ -132,7 +135,7 @@ def open_output(path: str | None) -> Iterator[Sink]:
 
 @contextmanager
 def writing(what: str, instead: str = "file") -> Iterator[None]:
-    """Turn an error of the system inside the ``with`` into an :class:`OutputError`."""
+    """Convert OS errors inside the ``with`` block to :class:`OutputError`."""
     try:
         yield
     except OSError as error:
@@ -146,7 +149,7 @@ def writing(what: str, instead: str = "file") -> Iterator[None]:
 def _open_file(path: Path) -> Iterator[TextIO]:
     """Open a temporary file that is renamed to ``path`` at the end; devices are opened directly.
 
-    Where nothing was written, nothing is replaced.
+    If nothing was written, an existing file is kept.
     """
     target = path.resolve()
     mode = target.stat().st_mode if target.exists() else None
@@ -165,7 +168,7 @@ def _open_file(path: Path) -> Iterator[TextIO]:
 
 
 def encodable(text: str, stream: TextIO) -> str:
-    """Return the text with what the stream cannot encode written in plain letters."""
+    """Return the text with characters that the stream cannot encode written in ASCII."""
     if _encodes(text, stream):
         return text
     plain = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda m: "^" + m[0].translate(_POWERS), text)
@@ -185,7 +188,7 @@ def _encodes(text: str, stream: TextIO) -> bool:
 
 
 def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
-    """Write an object of JSON by lines: one an entry, and one an object in a list of objects."""
+    """Format a JSON object with one line per entry, and one line per object in a list of objects."""
 
     def dump(value: object) -> str:
         if isinstance(value, list) and value and isinstance(value[0], dict):
@@ -196,10 +199,10 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
 
 
 def try_picture(path: str, *more: str) -> bool:
-    """Raise :class:`OutputError` before a long computation if its picture could not be drawn.
+    """Raise :class:`OutputError` before a long computation if its picture could not be written.
 
-    ``more`` are suffixes that are written besides those of pictures. Return whether there is a file of this
-    name already: one that appears later is not to be replaced.
+    ``more`` are suffixes that are allowed besides those of pictures. Return whether a file of this name
+    already exists; a file that appears later must not be replaced.
     """
     suffixes = (".svg", ".png", ".pdf", *more)
     if Path(path).suffix.lower() not in suffixes:
@@ -217,7 +220,7 @@ def note(text: str) -> None:
 
 
 def say(what: str, text: str) -> None:
-    """Write one line on stderr, ``hfield: what: text``, or several where lines have to fit."""
+    """Write ``hfield: what: text`` to stderr, wrapped if the width is limited."""
     STATUS.erase()
     line = f"hfield: {what}: {' '.join(text.split())}"
     if _has_width(sys.stderr):

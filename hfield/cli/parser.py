@@ -1,4 +1,4 @@
-"""The argument parser: it accepts expressions that begin with a minus, and its errors are one line."""
+"""The argument parser: expressions may begin with a minus sign, and errors are one line."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ def suggest(word: str, known: Iterable[str]) -> str:
 
 
 class Parser(ArgumentParser):
-    """An ArgumentParser that raises :class:`UsageError` and takes ``-i*j`` for an expression.
+    """An ArgumentParser that raises :class:`UsageError` and reads ``-i*j`` as an expression.
 
-    ``ArgumentParser`` takes every word with a leading minus for an option, negative numbers apart.
-    Here a word is an option only if its name is one that was declared, or if it has the look of a
-    long one, so that misspelt options are still found.
+    ``ArgumentParser`` treats every word with a leading minus as an option, except negative numbers. Here a
+    word is an option only if its name was declared, or if it looks like a long option, so that misspelt
+    options are still found.
     """
 
     def __init__(self, prog: str, description: str, examples: Sequence[str] = ()) -> None:
@@ -52,12 +52,12 @@ class Parser(ArgumentParser):
         self.examples = examples
 
     def error(self, message: str) -> NoReturn:
-        """Raise the message, in place of printing the usage and leaving."""
+        """Raise the message as an error, instead of printing the usage and exiting."""
         without_mark = message.replace("' -", "'-")  # the space of _mark_expressions
         raise UsageError(f"{without_mark}; `{self.prog} --help` shows the usage")
 
     def format_usage(self) -> str:
-        """Return the usage, each option whole on its line, however narrow the terminal is."""
+        """Return the usage, without breaking an option across lines."""
         text = " ".join(super().format_usage().split())
         whole = _OPTION.sub(lambda found: found[0].replace(" ", "\0"), text)
         width = terminal_width()
@@ -71,7 +71,7 @@ class Parser(ArgumentParser):
         return "\n".join([self.format_usage(), text.rstrip("\n"), *below, ""])
 
     def print_help(self, file: Any = None) -> None:
-        """Print the help in an encoding that the terminal has."""
+        """Print the help in the encoding of the terminal."""
         stream = file or sys.stdout
         print(encodable(self.format_help(), stream), end="", file=stream)
 
@@ -95,7 +95,7 @@ class Parser(ArgumentParser):
         return args
 
     def _need_output(self, words: Sequence[str]) -> None:
-        """Raise for a file name without ``-o`` where the output is required, and say what to write."""
+        """Raise for a file name without ``-o`` if an output is required, with the correct usage."""
         option = self._option_string_actions.get("-o")
         if option is None or not option.required or any(_OUTPUT.match(word) for word in words):
             return
@@ -121,7 +121,7 @@ class Parser(ArgumentParser):
         return marked
 
     def _takes_the_rest(self, words: Sequence[str]) -> bool:
-        """Say whether an option among the words takes all that follows, also a ``--``."""
+        """Return whether an option among the words takes all words that follow, including ``--``."""
         known = self._option_string_actions
         return any(word in known and known[word].nargs == REMAINDER for word in words)
 
@@ -158,7 +158,7 @@ def _is_field(word: str) -> bool:
 
 
 def _take_field(args: Namespace) -> None:
-    """Read a field or an algebra after the inputs as the option of that name: ``roots 'x^2+1' GF7``."""
+    """Read a field or an algebra after the inputs as the value of that option: ``roots 'x^2+1' GF7``."""
     inputs = getattr(args, "inputs", None)
     if not isinstance(inputs, list) or not inputs or not hasattr(args, "field"):
         return
@@ -177,7 +177,7 @@ def _take_field(args: Namespace) -> None:
 
 
 def _fitted(examples: Sequence[str]) -> list[str]:
-    """Indent lines for a shell; lines wider than the terminal are continued with a backslash."""
+    """Indent shell examples; lines wider than the terminal continue after a backslash."""
     width = terminal_width()
     lines: list[str] = []
     for example in examples:
@@ -242,7 +242,7 @@ def add_jobs(parser: ArgumentParser, dask: str = "") -> None:
 
 
 def add_format(parser: ArgumentParser, *formats: str) -> None:
-    """Declare ``--format``; the first one is the default."""
+    """Declare ``--format``; the first format is the default."""
     parser.add_argument(
         "--format",
         choices=formats,

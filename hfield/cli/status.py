@@ -11,12 +11,12 @@ from typing import TextIO
 from hfield.core.progress import current
 
 WIDTH = 79
-PATIENCE = 0.5  # seconds before a command says what it is at
+PATIENCE = 0.5  # seconds after which a command reports its progress
 _ERASE = "\r\x1b[K"
 
 
 class StatusLine:
-    """One line, written over itself, and erased before anything else is printed."""
+    """A single status line that is overwritten, and erased before any other output."""
 
     def __init__(self) -> None:
         self._lock = RLock()
@@ -50,7 +50,7 @@ STATUS = StatusLine()
 
 
 def _how_far() -> str:
-    """Describe the running loop: its name, the share done and the time left."""
+    """Describe the running loop: its name, the fraction done and the time left."""
     if (now := current()) is None:
         return ""
     what, share, seconds = now
@@ -68,9 +68,9 @@ def time_left(seconds: float) -> str:
 
 
 class Progress:
-    """A status line on stderr with the progress; nothing where stderr is not a terminal.
+    """A status line on stderr with the progress; nothing is shown if stderr is not a terminal.
 
-    What was ``done`` before it began says nothing of how long the rest will take.
+    Steps ``done`` before the start do not count in the estimate of the remaining time.
     """
 
     def __init__(self, noun: str, done: int = 0) -> None:
@@ -98,7 +98,7 @@ class Progress:
 class Waiting:
     """A status line that appears after half a second, with the current step and the elapsed seconds.
 
-    ``Waiting.at("theorem 3")`` changes what the open one says; a :class:`Progress` silences it.
+    ``Waiting.at("theorem 3")`` changes the text of the open status line; a :class:`Progress` silences it.
     """
 
     _open: Waiting | None = None

@@ -1,4 +1,4 @@
-"""The protocol of an arithmetic in loops: read a number, compute with it, write it."""
+"""The protocol of arithmetics in loops: read a number, compute with it, write it."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ else:
 class Arithmetic(ABC, Generic[P]):
     """The arithmetic of a ring in a compiled loop, on payloads of its own type.
 
-    An arithmetic is immutable and hashable: equal ones make equal loops. ``vectorise``: whether the loop is
-    to run over several elements at a time; ``literal``: whether structure constants are written into
-    the loop, which then serves one algebra, and not read by it; ``waits_for_memory``: whether little
-    is computed for each byte, so that large results are better written past the caches; ``lanes``: how
-    many elements a value of the loop stands for.
+    An arithmetic is immutable and hashable: equal arithmetics make equal loops. ``vectorise`` says whether
+    the loop processes several elements at a time. ``literal`` says whether structure constants are written
+    into the loop, which then works for one algebra only, instead of being read by it. ``waits_for_memory``
+    says whether little is computed per byte, so that large results should bypass the caches. ``lanes`` is the
+    number of elements in one value of the loop.
     """
 
     vectorise = True
@@ -47,7 +47,7 @@ class Arithmetic(ABC, Generic[P]):
         return self.dtype
 
     def tables(self) -> tuple[np.ndarray, ...]:
-        """Return the lookup tables; the loop calls them ``%table0``, ``%table1``, …"""
+        """Return the lookup tables, which the loop calls ``%table0``, ``%table1``, …"""
         return ()
 
     @abstractmethod
@@ -81,7 +81,7 @@ class Arithmetic(ABC, Generic[P]):
 
 @dataclass(frozen=True)
 class Symbol(Generic[P]):
-    """A payload with ``+ − ×``: a program that is evaluated on symbols writes its own code."""
+    """A payload with ``+ − ×``: evaluating a program on symbols emits its code."""
 
     arithmetic: Arithmetic[P]
     code: Code

@@ -19,8 +19,8 @@ from hfield.core.straight_line import Program
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
 THREADED_ELEMENTS = 500_000  # from so many elements on a second thread is woken
 ELEMENTS_PER_THREAD = 1 << 16  # elements for which one more thread is woken
-# The compiled loops of each program in each arithmetic, by which operands are single elements, and by
-# whether they write past the caches.
+# The compiled loops of each program in each arithmetic, by which operands are single elements and
+# whether results bypass the caches.
 _loops: dict[Hashable, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
 _announce = machine_code.Announcer(
     "hfield: compiling a loop over arrays, once on this machine (`hfield precompile` does it beforehand)"
@@ -28,7 +28,7 @@ _announce = machine_code.Announcer(
 
 
 class ArrayProgram:
-    """A program in an arithmetic, to be run over arrays.
+    """A program in an arithmetic, to be run on arrays.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ class ArrayProgram:
         self._loops = _loops.setdefault(key, {})
 
     def __call__(self, *operands: Rows) -> tuple[Rows, int]:
-        """Return the rows of the results, of the shape that the operands broadcast to, and the flags.
+        """Return the rows of the results, in the shape to which the operands broadcast, and the flags.
 
         The rows of an operand have one shape and the type that the arithmetic reads. Raises ValueError
         for shapes that do not broadcast.
@@ -107,9 +107,9 @@ class ArrayProgram:
 
 
 def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -> int:
-    """Run a loop over n elements, in threads where that is faster; return the flags or-ed together.
+    """Run a loop over n elements, in threads if that is faster; return the bitwise or of the flags.
 
-    ``steps`` are the bytes from one element to the next in each row, 0 where one serves for all.
+    ``steps`` are the byte distances between elements in each row, 0 if one element is used for all.
     """
     places = [address(row) for row in rows]
     table = c_int64 * len(places)

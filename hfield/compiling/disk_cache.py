@@ -1,9 +1,9 @@
-"""Keep machine code on disk for later processes.
+"""Cache machine code on disk for later processes.
 
-It lies in ``NUMBA_CACHE_DIR``, else in the user's cache directory; where nothing can be written nothing is
-kept. A file that another user owns or may write is not read. It begins with a stamp: the checksum of its name
-and the rest under a secret of this user's. So what fits its stamp was linked by the process that wrote it,
-and what does not is compiled again.
+The cache is in ``NUMBA_CACHE_DIR``, else in the user's cache directory; if that is read-only nothing is
+cached. A file that another user owns or may write is not read. Each file begins with a stamp: a checksum of
+its name and content with a secret of this user. So a file whose stamp is correct was written by a process of
+this user; any other file is ignored, and its code compiled again.
 """
 
 import contextlib
@@ -19,7 +19,7 @@ SIZE = 32  # bytes of the secret, and of a stamp
 
 
 def directory() -> Path:
-    """Return where the files lie."""
+    """Return the cache directory."""
     given = os.environ.get("NUMBA_CACHE_DIR")
     if given:
         return Path(given) / FOLDER
@@ -43,7 +43,7 @@ def private_directory() -> Path | None:
 
 
 def kept(key: str) -> bytes | None:
-    """Return the machine code kept under the key, or None."""
+    """Return the machine code cached under the key, or None."""
     with contextlib.suppress(OSError, RuntimeError):
         place = directory()
         data = _own(place / key)
@@ -78,7 +78,7 @@ def _secret(place: Path) -> bytes:
 
 
 def _own(path: Path) -> bytes:
-    """Read a file that nobody but this user can have written. Raises OSError."""
+    """Read a file that only this user can have written. Raises OSError."""
     with open(path, "rb", opener=_without_waiting) as file:
         found = os.fstat(file.fileno())
         if not stat.S_ISREG(found.st_mode):
@@ -95,13 +95,13 @@ def _is_own(found: os.stat_result) -> bool:
 
 
 def _write(path: Path, data: bytes) -> None:
-    """Write a file that only this user can read, whole or not at all. Raises OSError."""
+    """Write a file that only this user can read, completely or not at all. Raises OSError."""
     part = path.with_name(f"{path.name}.{os.urandom(8).hex()}")
     try:
         with open(part, "xb", opener=_for_us) as file:
             file.write(data)
         os.replace(part, path)
-    finally:  # of a full disk, or where something else stands in the place
+    finally:  # left by a full disk, or if another file has the target's name
         part.unlink(missing_ok=True)
 
 

@@ -1,6 +1,6 @@
 """Write functions in LLVM's notation: values, memory, calls, branches and loops.
 
-A value is a name such as ``%v3``, or the text of a constant; its type is said where it is used.
+A value is a name such as ``%v3``, or the text of a constant; its type is given where it is used.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Sequence
 class Code:
     """A function in LLVM's language under construction: its lines, and the functions that it calls.
 
-    The same text is the same value, until something is written to memory or another block begins.
+    Repeating a text returns the same value, until memory is written or another block begins.
     """
 
     def __init__(self, head: str = "") -> None:
@@ -28,7 +28,7 @@ class Code:
         self._label = "start"
 
     def value(self, text: str) -> str:
-        """Return the name of what ``text`` computes."""
+        """Return the name of the value computed by ``text``."""
         name = self._known.get(text)
         if name is None:
             name = self._known[text] = f"%v{self._number()}"
@@ -36,12 +36,12 @@ class Code:
         return name
 
     def once(self, text: str) -> str:
-        """Return the name of what ``text`` computes this time, as of a call that writes."""
+        """Return the name of the value that ``text`` computes this time, for instance a call that writes."""
         self._known.clear()
         return self.value(text)
 
     def do(self, text: str) -> None:
-        """Add a line that has no value."""
+        """Add a line without a value."""
         self._known.clear()
         self.lines.append(text)
 
@@ -56,7 +56,7 @@ class Code:
         return ""
 
     def end(self, result: str = "void") -> None:
-        """Return, with a type and a value."""
+        """Return from the function, with a type and a value."""
         self.do(f"ret {result}")
 
     def _number(self) -> int:
@@ -66,7 +66,7 @@ class Code:
     # --- memory --------------------------------------------------------------------------------
 
     def at(self, kind: str, pointer: str, index: str | int) -> str:
-        """Return the address of the entry at an index of an array."""
+        """Return the address of the array entry with an index."""
         return self.value(f"getelementptr {kind}, ptr {pointer}, i64 {index}")
 
     def load(self, kind: str, pointer: str, align: int = 0) -> str:
@@ -82,7 +82,7 @@ class Code:
         return [self.load(kind, self.at(kind, table, n)) for n in range(count)]
 
     def allocate(self, kind: str) -> str:
-        """Return the address of memory of the function's own."""
+        """Return the address of memory that belongs to the function."""
         return self.once(f"alloca {kind}, align 64")
 
     def copy(self, to: str, start: str, size: str | int) -> None:
@@ -98,7 +98,7 @@ class Code:
     # --- vectors -------------------------------------------------------------------------------
 
     def spread(self, kind: str, number: str, lanes: int) -> str:
-        """Return the vector with a number in each lane."""
+        """Return the vector with the same number in each lane."""
         whole = vector(kind, lanes)
         first = self.value(f"insertelement {whole} poison, {kind} {number}, i32 0")
         return self.value(
@@ -106,7 +106,7 @@ class Code:
         )
 
     def shuffled(self, kind: str, a: str, b: str, places: Iterable[int]) -> str:
-        """Gather numbers from two vectors of one kind, by their places in both."""
+        """Gather numbers from two vectors of one kind, by their positions in both."""
         numbers = list(places)
         mask = ", ".join(f"i32 {n}" for n in numbers)
         return self.value(
@@ -128,8 +128,8 @@ class Code:
     ) -> list[str]:
         """Emit a conditional block; return the value that it computes, or the alternative.
 
-        ``then`` returns that: types, values, and the values where the condition does not hold. What is done
-        ``rarely`` is to take no registers from what is done always.
+        ``then`` returns types, values, and the values if the condition does not hold. With ``rarely``, the
+        block must not take registers from the code that always runs.
         """
         n, before = self._number(), self._label
         seldom = ', !prof !{!"branch_weights", i32 1, i32 100000}' if rarely else ""
@@ -145,7 +145,7 @@ class Code:
         ]
 
     def leave(self, condition: str, result: Callable[[], str]) -> None:
-        """Return from the function where a condition holds."""
+        """Return from the function if a condition holds."""
         n = self._number()
         self.do(f"br i1 {condition}, label %leave{n}, label %stay{n}")
         self._begin(f"leave{n}")
@@ -158,16 +158,17 @@ class Code:
         turn: Callable[..., tuple[str, Sequence[str]]],
         marks: str = "",
     ) -> Sequence[str]:
-        """Write a loop that is run once at least; return its values after the last turn.
+        """Write a loop that runs at least once; return its values after the last iteration.
 
         Parameters
         ----------
         first : sequence of pairs of str
-            Types of the values that go from turn to turn, and what they are in the first.
+            The types of the values that are passed from one iteration to the next, and their initial values.
         turn : callable
-            ``turn(*values)`` writes one; it returns the condition for another, and the values there.
+            ``turn(*values)`` writes one iteration; it returns the condition for another iteration, and the
+            values passed to it.
         marks : str
-            What is to be said of the loop.
+            The metadata of the loop.
         """
         n, before = self._number(), self._label
         names = [f"%s{n}.{k}" for k in range(len(first))]
@@ -195,8 +196,8 @@ class Code:
     ) -> list[str]:
         """Write a loop over i = start, start + step, … below ``end``, of 64 bits.
 
-        ``turn(i, *values)`` writes one turn, and returns what the values are in the next; `repeat` tells
-        the rest.
+        ``turn(i, *values)`` writes one iteration and returns the values of the next; see `repeat` for the
+        rest.
         """
 
         def turned(i: str, *values: str) -> tuple[str, Sequence[str]]:
@@ -212,14 +213,14 @@ class Code:
 
 
 def module(*functions: Code, notes: Iterable[str] = ()) -> str:
-    """Write a program of functions, with the declarations of what they call."""
+    """Write a program of functions, with declarations of the functions that they call."""
     declared = sorted(set().union(*(f.declared for f in functions)))
     defined = (line for f in functions for line in (f"define {f.head} {{", "start:", *f.lines, "}"))
     return "\n".join([*declared, *defined, *notes]) + "\n"
 
 
 def vector(kind: str, lanes: int) -> str:
-    """Return LLVM's name for vectors of so many numbers."""
+    """Return LLVM's name of the vector type with so many numbers."""
     return f"<{lanes} x {kind}>"
 
 
@@ -229,13 +230,13 @@ def alike(kind: str, number: object, lanes: int) -> str:
 
 
 def raw_type(dtype: str, lanes: int = 1) -> str:
-    """Return LLVM's name for integers of a numpy type such as ``u2``, or for a vector of them."""
+    """Return LLVM's name of the integer type for a numpy type such as ``u2``, or of a vector of them."""
     kind = f"i{8 * int(dtype[1])}"
     return kind if lanes == 1 else vector(kind, lanes)
 
 
 def floating(x: float, word: str) -> str:
-    """Write a number as LLVM's ``float`` or ``double``, exactly as it is rounded to that type."""
+    """Write a number as LLVM's ``float`` or ``double``, with exactly the value rounded to that type."""
     if word == "float":
         (x,) = struct.unpack("<f", struct.pack("<f", x))
     return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"

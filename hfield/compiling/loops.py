@@ -1,11 +1,11 @@
 """Write loops over rows of arrays in LLVM's notation: a straight-line program in an arithmetic.
 
-A turn reads the next numbers of each row, one or as many as the arithmetic computes with at once, and
-writes as many. Large results may be written past the caches: an ordinary store reads the line of 64 bytes
-it falls into first, so that a written byte travels twice. There the loop fills blocks that stay near the
-processor, and whole lines of them are copied out by stores that LLVM calls non-temporal. That pays where
-memory is what one waits for, where the result fits no cache, and where its pages are there already: a page
-that was just cleared lies in the cache, and would be written out twice.
+An iteration reads the next numbers of each row (one, or as many as the arithmetic processes at once) and
+writes as many. Large results may bypass the caches: an ordinary store first reads its cache line of 64 bytes,
+so each written byte is transferred twice. With streaming the loop fills blocks that stay in the cache, and
+whole lines of them are copied out by LLVM's non-temporal stores. That pays off if memory is the bottleneck,
+if the result fits into no cache, and if its pages have been used before; a newly cleared page is already in
+the cache and would be written out twice.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ NOTES = [
 
 
 class Operand(NamedTuple):
-    """The rows of one operand by their names in the program; ``single``: one element for all."""
+    """The rows of one operand, by their names in the program; ``single`` means one element for all."""
 
     names: tuple[str, ...]
     single: bool
@@ -43,9 +43,9 @@ def emit_body(
     literals: Mapping[str, int],
     i: str = "%i",
 ) -> list[str]:
-    """Write one turn of the loop; return the names of the results to be stored.
+    """Write one iteration of the loop; return the names of the results to be stored.
 
-    ``literals`` are the program's other inputs, known beforehand.
+    ``literals`` are the other inputs of the program, known at compile time.
     """
 
     def symbol(payload: object) -> Symbol:
@@ -71,9 +71,9 @@ def emit_loop(
 ) -> str:
     """Write the function ``entry(n, addresses)`` that runs the program over n elements.
 
-    The addresses are those of the rows of the operands, of the arithmetic's tables, and of the rows of
-    the results. It returns the flags of all elements, one or the other bit set where one had to tell.
-    Where it is ``streamed`` the results are written past the caches.
+    The addresses are those of the rows of the operands, of the arithmetic's tables, and of the rows of the
+    results. It returns the flags of all elements combined; either bit is set if some element reported it. If
+    ``streamed``, the results bypass the caches.
     """
     rows = [name for operand in operands for name in operand.names]
     tables = [f"table{n}" for n in range(len(arithmetic.tables()))]
@@ -113,7 +113,7 @@ def _call(entry: Code, length: str, places: Mapping[str, str]) -> str:
 
 
 def _read(code: Code, arithmetic: Arithmetic, row: str, i: str) -> str:
-    """Load the next numbers of a row; of a row of one number load that for each lane."""
+    """Load the next numbers of a row; a row of one number is broadcast to every lane."""
     lanes, kind = arithmetic.lanes, raw_type(arithmetic.dtype)
     at = code.at(kind, f"%{row}", i)
     if lanes == 1:
@@ -159,7 +159,7 @@ def _stream(
 ) -> None:
     """Emit the calls of the loop, block by block, and the copy of its output.
 
-    Of the rows the ``moving`` have an element for each turn; the others stay where they are.
+    The ``moving`` rows have an element for each iteration; the others are constant.
     """
     read, kind = raw_type(arithmetic.dtype), raw_type(arithmetic.result)
     near = {name: entry.allocate(f"[{BLOCK} x {kind}]") for name in outputs}
@@ -181,7 +181,7 @@ def _stream(
 
 
 def _copy() -> Code:
-    """Write the function that copies bytes, whole lines of 64 past the caches."""
+    """Write the function that copies bytes, in whole lines of 64 that bypass the caches."""
     code = Code("internal void @copy(ptr noalias %to, ptr noalias %from, i64 %bytes) noinline")
     below = code.value(f"sub i64 0, {code.value('ptrtoint ptr %to to i64')}")
     gap = code.value(f"and i64 {below}, 63")

@@ -1,4 +1,4 @@
-"""A loop that puts rows of numerators over one row of denominators in lowest terms."""
+"""A loop that reduces rows of numerators over a common row of denominators to lowest terms."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _ROWS = NUMERATORS + 1
 
 
 def lowest(rows: Rows) -> bool:
-    """Divide rows of i64, the last a row of denominators ≠ 0, by their greatest common divisors, in place.
+    """Divide rows of i64 (the last one nonzero denominators) by their greatest common divisors, in place.
 
-    The denominators become positive. False if some number is −2⁶³, whose negative no word holds; the rows
-    are spoilt then.
+    The denominators become positive. Returns False if some number is −2⁶³, whose negative does not fit into a
+    word; then the rows are invalid.
     """
     n = rows[0].size
     if not n:
@@ -32,7 +32,7 @@ def _loop() -> machine_code.Function:
 
 
 def _gcd() -> Code:
-    """Write the greatest common divisor of g > 0 and x ≥ 0, after J. Stein's binary algorithm."""
+    """Write the greatest common divisor of g > 0 and x ≥ 0, by J. Stein's binary algorithm."""
     code = Code("internal i64 @gcd(i64 %g, i64 %x)")
 
     def zeros(x: str) -> str:

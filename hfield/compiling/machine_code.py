@@ -1,8 +1,7 @@
 """Compile LLVM's notation to machine code for this processor.
 
-Machine code is never freed: an address that was handed out is good as long as the process, in every thread.
-All that asks LLVM for something does so under the one `lock`, and publishes what it made; who calls it reads
-that without a lock.
+Machine code is never freed: an address stays valid in every thread as long as the process lives. All calls of
+LLVM are made under one `lock` and publish their results; callers read them without a lock.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 Function = Callable[[int, int], int]
 lock = locks.lock()
 _addresses: dict[str, int] = {}  # of what is linked
-_symbols: dict[str, int] = {}  # what programs call by name, and where it lies
+_symbols: dict[str, int] = {}  # the names under which programs call functions, and their addresses
 _numbers = itertools.count()
 
 
@@ -37,7 +36,7 @@ def available() -> bool:
     with lock:
         try:
             _linker()
-        except Exception:  # no LLVM here, or one of another age
+        except Exception:  # no LLVM here, or an unsuitable version
             return False
     return True
 
@@ -81,7 +80,7 @@ def _linker() -> llvm.LLJIT:
 
 @cache
 def _made_by() -> str:
-    """Return all that machine code depends on beside the program."""
+    """Return everything that machine code depends on besides the program."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -90,7 +89,7 @@ def _made_by() -> str:
 
 
 def processor_has(feature: str) -> bool:
-    """Return whether the processor has a set of instructions, by LLVM's name for it."""
+    """Return whether the processor has a set of instructions, given by LLVM's name."""
     with lock:
         return bool(_features().get(feature))
 
@@ -107,18 +106,17 @@ def compiled(
     announce: Callable[[], None] | None = None,
     write_program: Callable[[], str] | None = None,
 ) -> int:
-    """Return the address of the function ``name`` of a program, good as long as the process.
+    """Return the address of the function ``name`` of a program, valid as long as the process lives.
 
     Parameters
     ----------
     text : str
-        The program; with ``write_program``, which returns the program where it is not kept on disk, whatever
-        decides what that is.
+        The program; or, if ``write_program`` is given, which returns the program unless it is cached on disk,
+        everything that determines the program.
     vectorise : bool
-        Whether LLVM is to make its scalar loops run over several numbers at a time; else the text is
-        taken nearly as it stands.
+        Whether LLVM vectorises the scalar loops; otherwise the text is compiled nearly unchanged.
     announce : callable, optional
-        Called before a compilation, not where the code is kept on disk.
+        Called before a compilation, but not if the code is cached on disk.
     """
     with lock:
         key = hashlib.sha256(f"{_made_by()} {vectorise} {name} {text}".encode()).hexdigest()
@@ -130,7 +128,7 @@ def compiled(
 
 
 def _kept(key: str, name: str) -> int | None:
-    """Return the address of the code cached on disk, or None if there is none that links."""
+    """Return the address of the code cached on disk, or None if there is none that can be linked."""
     code = kept(key)
     if code is None:
         return None
@@ -159,7 +157,7 @@ def _compiled(
     builder.getModulePassManager().run(module, builder)
     code = target.emit_object(module)
     address = _linked(code, name)
-    keep(key, code)  # what is on disk has been linked once
+    keep(key, code)  # code on disk was linked before
     return address
 
 
@@ -171,12 +169,12 @@ def _linked(code: bytes, name: str) -> int:
     for symbol, address in _symbols.items():
         library.import_symbol(symbol, address)
     linked = library.export_symbol(name).link(_linker(), f"hfield {next(_numbers)}")
-    linked.detach()  # it keeps the code, and what linked it, and is now never freed
+    linked.detach()  # the engine keeps the code and its linker, and is never freed from now on
     return int(linked[name])
 
 
 class Announcer:
-    """A notice that code is being compiled, printed once a process on a terminal's stderr."""
+    """A notice that code is being compiled, printed once per process on a terminal's stderr."""
 
     def __init__(self, message: str) -> None:
         self.message = message

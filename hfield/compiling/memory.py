@@ -1,8 +1,8 @@
 """Array addresses, and a pool that reuses the buffers of collected results.
 
-What is large comes from the system page by page, each cleared when it is first touched: that takes about as
-long again as many a product. So the memory of results that are gone is kept for the next ones of their size,
-`KEPT` bytes of it at most.
+The system provides large memory page by page, and clears each page on first touch, which takes about as long
+as a typical product. So the memory of results that were collected is kept for later results of the same size,
+up to `KEPT` bytes.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ import numpy as np
 Array: TypeAlias = np.ndarray
 Rows = tuple[Array, ...]
 
-POOLED_BYTES = 1_000_000  # bytes; several pieces given back go to the system again
+POOLED_BYTES = 1_000_000  # bytes; freed pieces are returned to the system
 KEPT = 5 << 24
 _kept: deque[Array] = deque()  # the last given back at the end
 
 
 class _Lent:
-    """The base of an array in a pooled buffer: it is collected when the last view is."""
+    """The base of an array in a pooled buffer; it is collected when its last view is."""
 
     def __init__(self, memory: Array) -> None:
         self.__array_interface__ = memory.__array_interface__
@@ -33,7 +33,7 @@ class _Lent:
 
 
 def block(shape: Sequence[int], dtype: str) -> tuple[Array, bool]:
-    """Return an array whose entries are not set yet, and whether its memory has been used before."""
+    """Return an uninitialised array, and whether its memory has been used before."""
     size = prod(shape) * np.dtype(dtype).itemsize
     if not POOLED_BYTES <= size <= KEPT:
         return np.empty(shape, dtype), False
@@ -56,16 +56,16 @@ def _taken(size: int) -> Array | None:
 
 
 def _give_back(memory: Array) -> None:
-    """Return a buffer to the pool, in place of the oldest."""
+    """Return a buffer to the pool, replacing the oldest one."""
     _kept.append(memory)
-    # a copy, for another thread, or the collector in between, may change what is kept
+    # a copy, because another thread, or the garbage collector in between, may change the list
     while sum(m.nbytes for m in _kept.copy()) > KEPT:
         with suppress(IndexError):
             _kept.popleft()
 
 
 def rows_of(block: Array) -> Rows:
-    """Return the rows of an array as arrays, of no dimensions if need be."""
+    """Return the rows of an array as arrays, 0-dimensional if necessary."""
     return tuple(block[n, ...] for n in range(len(block)))
 
 
@@ -77,6 +77,6 @@ def in_one_piece(array: Array, shape: tuple[int, ...]) -> Array:
 
 
 def address(array: Array) -> int:
-    """Return where the first entry lies."""
+    """Return the address of the first entry."""
     place: int = array.__array_interface__["data"][0]
     return place

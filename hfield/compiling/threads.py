@@ -1,10 +1,10 @@
 """Threads that share the blocks of one call.
 
-The calling thread always works too, so a call never waits for help that did not come: helpers that
-have not started when the work is done are called off. One that has started may lose its processor to
-other work in the middle of a block, which nobody else can finish. So after a long wait the calls that
-follow run alone for a while. There is no state in a call that other Python threads, a fork or the end of
-the interpreter could break; numba's own parallel regions fail there.
+The calling thread always works too, so a call never waits for helpers that did not start: helpers that have
+not started when the work is done are cancelled. A helper that has started may lose its processor in the
+middle of a block, which no other thread can finish. So after a long wait the next calls run without helpers
+for a while. A call has no state that other Python threads, a fork or the end of the interpreter could break;
+numba's parallel regions fail in these cases.
 """
 
 import os
@@ -27,7 +27,7 @@ RESPITE = (
 
 
 class ThreadsError(HFieldError, ValueError):
-    """A number of threads that is no whole number of at least 1."""
+    """A number of threads that is not an integer of at least 1."""
 
 
 class _State:
@@ -39,16 +39,18 @@ class _State:
         self.forget_helpers()
 
     def forget_helpers(self) -> None:
-        """Threads do not survive a fork: the child starts without them, and with a free lock."""
+        """Forget the helpers in a child process: threads do not survive a fork, so it starts with none and a
+        free lock.
+        """
         self.lock = threading.RLock()  # a signal's handler may come in between
         self.helpers = 0
         self.waiting: SimpleQueue[_Part] = SimpleQueue()
 
 
 class _Part:
-    """A helper's part of a call, dropped if the call ends before the part begins.
+    """A helper's part of a call; it is dropped if the call ends before the part begins.
 
-    An executor's future does the same in twenty times the time, a fiftieth of a frame of 550 000 points.
+    An executor's future takes twenty times as long, a fiftieth of the time of a frame of 550 000 points.
     """
 
     def __init__(self, task: Callable[[], bool]) -> None:
@@ -59,7 +61,7 @@ class _Part:
         self._error: BaseException | None = None
 
     def run(self) -> None:
-        """Do the part, in a helper."""
+        """Compute the part, in a helper thread."""
         if self._begun.acquire(blocking=False):
             try:
                 self._answer = self._task()
@@ -69,9 +71,9 @@ class _Part:
                 self._done.release()
 
     def result(self) -> bool:
-        """Cancel the part if it has not begun, else wait for its answer."""
+        """Cancel the part if it has not begun, else wait for its result."""
         if self._begun.acquire(blocking=False):
-            self._task = bool  # it may stay in the queue, and would keep arrays alive
+            self._task = bool  # it may stay in the queue and keep arrays alive
             return False
         self._done.acquire()
         if self._error is not None:
@@ -86,11 +88,11 @@ if hasattr(os, "register_at_fork"):
 
 
 def threads(number: int | None = None) -> int:
-    """Set the number of threads of a call to ``number``, if given; return it.
+    """Set the number of threads of a call to ``number``, if it is given; return the number.
 
-    At first it is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
-    number of processors this process may run on. Raises :class:`ThreadsError` unless it is a whole number
-    of at least 1.
+    The initial value is the environment variable ``HFIELD_NUM_THREADS`` or ``ROTATION_NUM_THREADS``, else the
+    number of processors available to this process. Raises :class:`ThreadsError` unless it is an integer of at
+    least 1.
     """
     if number is not None:
         _state.number = _checked(number, "the number of threads")
@@ -120,8 +122,8 @@ def share(work: Callable[..., object], pieces: int, alive: object, *arguments: o
     """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; return whether any
     returned true.
 
-    ``alive`` is what the arguments point into: it is kept until the last thread is done, also when
-    Ctrl-C ends the wait for it. A wait for helpers is long if it takes longer than the work of the caller.
+    ``alive`` keeps the objects to which the arguments point until the last thread is done, even if Ctrl-C
+    ends the wait. A wait for helpers is long if it exceeds the work of the caller.
     """
     counter = c_int64(0)
     task = partial(_task, work, counter, alive, arguments)
@@ -145,11 +147,11 @@ def share(work: Callable[..., object], pieces: int, alive: object, *arguments: o
 def in_pieces(
     work: Callable[[int, int], int], n: int, piece: int, shortest: int, alive: object
 ) -> int:
-    """Run ``work(start, end)`` on pieces of ``range(n)``, and return all its answers or-ed together.
+    """Run ``work(start, end)`` on pieces of ``range(n)``, and return the bitwise or of the results.
 
-    There is one thread more for every ``shortest`` of them. Each begins in a stretch of its own, and helps in
-    the others' when it is done: of a page of new memory that two touch at once both would clear all of its
-    2 MiB.
+    There is one more thread for every ``shortest`` elements. Each begins in a separate section, and helps in
+    the other sections when it is done: if two threads touched one page of new memory at once, both would
+    clear its 2 MiB.
     """
     length = max(shortest, -(-n // threads()))
     if length >= n:

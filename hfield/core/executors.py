@@ -1,8 +1,7 @@
 """Parallel work through any ``concurrent.futures.Executor``.
 
-By default pieces are computed here, one after the other; with ``jobs`` in a pool of processes, with
-``dask`` on a cluster. There is no scheduler of our own: who has another executor passes it where
-these are passed.
+By default tasks run in this process, one after another; with ``jobs`` in a process pool, with ``dask`` on a
+cluster. Any other executor can be passed where these are.
 """
 
 from __future__ import annotations
@@ -34,14 +33,14 @@ SCHEDULER_ANSWERS_WITHIN = "10s"
 
 
 class ExecutorError(HFieldError, RuntimeError):
-    """Workers could not be started, or died."""
+    """Worker processes could not be started, or died."""
 
 
 class InProcess(Executor):
     """An executor that computes in this process; its futures are done when returned."""
 
     def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
-        """Compute; the future holds the result or the exception."""
+        """Compute immediately; the future holds the result or the exception."""
         future: Future[T] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
@@ -53,7 +52,7 @@ class InProcess(Executor):
 def unordered(
     executor: Executor, function: Callable[[A], T], tasks: Iterable[A]
 ) -> Iterator[tuple[int, T]]:
-    """Yield the number of each task with its result, as they are finished."""
+    """Yield the index of each task with its result, in the order of completion."""
     waiting: dict[Future[T], int] = {}
     for n, task in enumerate(tasks):
         future = executor.submit(function, task)
@@ -84,7 +83,7 @@ def ordered(
 
 @contextmanager
 def collecting_rarely() -> Iterator[None]:
-    """Run Python's cycle collector rarely, which saves a tenth of the time where most objects are kept."""
+    """Run Python's cycle collector rarely, which saves a tenth of the time if most objects are kept."""
     often = gc.get_threshold()
     gc.set_threshold(20_000, *often[1:])
     try:
@@ -97,9 +96,9 @@ def collecting_rarely() -> Iterator[None]:
 def open_executor(jobs: int = 1, dask: str | None = None) -> Iterator[Executor]:
     """Yield an executor: this process, ``jobs`` processes, or the Dask cluster at ``dask``.
 
-    Processes are forks, which have all that was read by now, if this process has a single thread; else they
-    are spawned, so that no lock of a numerical library is copied. On an interrupt they are ended at once.
-    Raises :class:`ExecutorError` when Dask is missing or silent, or when a worker dies.
+    Worker processes are forks, with all data read so far, if this process has a single thread; otherwise they
+    are spawned, so that no lock of a numerical library is copied. An interrupt ends them immediately. Raises
+    :class:`ExecutorError` if Dask is missing or does not respond, or if a worker dies.
     """
     if dask is not None:
         with _dask(dask) as executor:
@@ -127,8 +126,9 @@ def _processes(jobs: int) -> Iterator[Executor]:
         # Not by cancelling: the pool trips over futures that are cancelled when its workers end.
         for process in set(multiprocessing.active_children()) - before:
             process.terminate()
-        # A worker that ends in the middle of a result leaves half of it in the pipe, for the rest of which
-        # the pool would wait as long as anyone, this process included, could write it.
+        # A worker that ends while it sends a result leaves a partial result in the pipe. The pool
+        # would wait for the rest as long as any process, including this one, could write to the
+        # pipe.
         results = getattr(pool, "_result_queue", None)
         if results is not None:
             results._writer.close()
@@ -143,7 +143,9 @@ def _processes(jobs: int) -> Iterator[Executor]:
 
 
 def _only_one_thread() -> bool:
-    """Return whether the system counts one thread in this process, those of numerical libraries included."""
+    """Return whether the system counts a single thread in this process, including those of numerical
+    libraries.
+    """
     try:
         return len(os.listdir("/proc/self/task")) == 1
     except OSError:  # no Linux
@@ -151,16 +153,16 @@ def _only_one_thread() -> bool:
 
 
 def _start_now(pool: Executor, jobs: int) -> None:
-    """Start all workers now, before this process has more threads that a fork would not copy.
+    """Start all workers now, before this process has more threads, which a fork would not copy.
 
-    They inherit that Ctrl-C is blocked until they ignore it: else one that is being spawned would end with a
-    traceback of Python's.
+    Ctrl-C is blocked while they start, until they ignore it; otherwise a worker being spawned would end with
+    a Python traceback.
     """
     import signal
 
     blocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        for _ in range(jobs):  # a worker that is spawned takes one, and no second before it runs
+        for _ in range(jobs):  # a spawned worker takes one task, and no second before it runs
             pool.submit(int)
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, blocked)

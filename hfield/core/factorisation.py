@@ -1,8 +1,8 @@
 """Factor integers into proved primes, and report what was not factored.
 
-The one place that factors. Small primes, perfect powers, and elliptic curves up to a size that depends on
-the number, take out what can be had cheaply; a composite number of at most :data:`SIEVED_BITS` is sieved. So
-the work is bounded by the length of the number, and what is left over is :class:`Unfactored`, no number.
+This is the only module that factors. Small primes, perfect powers, and elliptic curves up to a size that
+depends on the number are tried first; a composite number of at most :data:`SIEVED_BITS` is sieved. So the
+work is bounded by the length of the number, and the remaining factor is :class:`Unfactored`, not a number.
 """
 
 from collections.abc import Iterable, Mapping
@@ -48,7 +48,7 @@ Factors = Mapping[int, int] | Iterable[int]
 class Unfactored:
     """A divisor greater than 1 without a known prime: composite, or too long for a primality proof.
 
-    It is deliberately no number: arithmetic with it fails.
+    It is deliberately not a number, so arithmetic with it fails.
     """
 
     value: int
@@ -82,13 +82,15 @@ class UnfactoredError(UndecidedError):
 
 @dataclass(frozen=True)
 class Factorisation:
-    """``|n| = ∏ pᵉ · rest``: proved primes with exponents, ascending, and what was not factored, if any."""
+    """``|n| = ∏ pᵉ · rest``: proved primes with exponents, ascending, and the unfactored part, if any."""
 
     primes: Mapping[int, int]
     rest: Unfactored | None = None
 
     def complete(self) -> dict[int, int]:
-        """Return the primes with their exponents. Raises :class:`UnfactoredError` if something is left."""
+        """Return the primes with their exponents. Raises :class:`UnfactoredError` if the factorisation is
+        incomplete.
+        """
         if self.rest is not None:
             raise UnfactoredError(self.rest)
         return dict(self.primes)
@@ -101,9 +103,9 @@ _asked: ContextVar[str] = ContextVar("how to give them", default="")
 
 
 def known_primes(factors: Factors | None, argument: str = "factors=") -> "_KnownPrimes":
-    """Use these primes in all factorisations inside the ``with``; errors name ``argument``.
+    """Use these primes in all factorisations inside the ``with`` block; errors name ``argument``.
 
-    Raises :class:`RingError` for what is not a prime.
+    Raises :class:`RingError` for a number that is not prime.
     """
     return _KnownPrimes(checked_primes(factors) if factors is not None else _NONE, argument)
 
@@ -171,8 +173,8 @@ def factor(
 ) -> Factorisation:
     """Factor ``|n|``, n ≠ 0, in bounded time; completely if the hard part has at most ``sieved`` bits.
 
-    ``known`` are *primes* that may divide n; those of :func:`known_primes` are used as well. In longer
-    numbers primes of at most so many ``bits`` are sought with elliptic curves.
+    ``known`` are primes that may divide n; those of :func:`known_primes` are used as well. In longer numbers,
+    primes of at most ``bits`` bits are searched for with elliptic curves.
     """
     n = abs(n)
     if n < WORD:
@@ -183,7 +185,7 @@ def factor(
 def shared_primes(numbers: Iterable[int]) -> frozenset[int]:
     """Return the primes found in any of the numbers, also by greatest common divisors.
 
-    What is left of each is split by greatest common divisors with the others.
+    The unfactored part of each number is split by greatest common divisors with the others.
     """
     found: set[int] = set()
     rests = []
@@ -198,7 +200,9 @@ def shared_primes(numbers: Iterable[int]) -> frozenset[int]:
 
 
 def coprime_base(numbers: Iterable[int]) -> list[int]:
-    """Return pairwise coprime numbers greater than 1 of which the given positive ones are products."""
+    """Return pairwise coprime numbers greater than 1 such that the given positive ones are products
+    of them.
+    """
     base: list[int] = []
     waiting = list(numbers)
     while waiting:
@@ -220,13 +224,13 @@ def factorise(n: int, known: Iterable[int] = (), sieved: int = SIEVED_BITS) -> d
     return factor(n, known, sieved=sieved).complete()
 
 
-@lru_cache(maxsize=512)  # a decision and the construction after it ask for the same numbers
+@lru_cache(maxsize=512)  # a decision and the construction after it factor the same numbers
 def _factor(n: int, known: frozenset[int], bits: int, sieved: int) -> Factorisation:
     primes: dict[int, int] = {}
     rest, found = n, set(known)
     for _ in range(
         3
-    ):  # what FLINT names is taken for divisors only: once they are out, some may be left
+    ):  # FLINT's numbers are only taken as divisors: after division by them, some primes may remain
         for p in found:
             v, rest = remove(rest, p)
             if v:
@@ -239,7 +243,7 @@ def _factor(n: int, known: frozenset[int], bits: int, sieved: int) -> Factorisat
 
 
 def _prime_divisors(n: int, bits: int, sieved: int) -> set[int]:
-    """Return primes that divide n > 1, each proved: none where none is found."""
+    """Return proved prime divisors of n > 1; the result is empty if none is found."""
     found: set[int] = set()
     waiting = {int(d) for d, _ in flint.fmpz(n).factor(trial_limit=SMALL_PRIMES)}
     while waiting:
@@ -254,9 +258,11 @@ def _prime_divisors(n: int, bits: int, sieved: int) -> set[int]:
     return found
 
 
-@lru_cache(maxsize=1024)  # one hard divisor comes in many numbers: those of one lattice, one field
+@lru_cache(maxsize=1024)  # numbers of one lattice or field share hard divisors
 def _divisors(m: int, sought: int, sieved: int) -> set[int]:
-    """Return divisors of a composite number whose product has all its primes; maybe only itself."""
+    """Return divisors of a composite number that together contain all its primes; possibly only the
+    number.
+    """
     number, bits = flint.fmpz(m), m.bit_length()
     if bits <= BASES_PROVE_BITS:
         return {int(d) for d, _ in number.factor()}
@@ -276,7 +282,7 @@ def _divisors(m: int, sought: int, sieved: int) -> set[int]:
 def _related(m: int) -> int:
     """Return a prime p of ``m = p·q`` with ``(p − 1)/(q − 1)`` a fraction of small numbers, else 1.
 
-    Products of two primes that pass for primes to many bases are of this kind (Arnault 1995). ``p − 1`` and
+    Products of two primes that are pseudoprimes to many bases are of this form (Arnault 1995). ``p − 1`` and
     ``q − 1`` are r·t and s·t, where t solves ``r·s·t² + (r + s)·t = m − 1``.
     """
     for r in range(2, RELATED):
@@ -291,12 +297,12 @@ def _related(m: int) -> int:
 
 
 def _powers(m: int) -> tuple[int, bool]:
-    """Return a divisor of a composite number, 1 if none is found, and whether 2 takes it for a prime.
+    """Return a divisor of a composite number (1 if none is found), and whether it is a pseudoprime to base 2.
 
-    The divisor is that of ``aⁿ − 1`` for small a and ``n = m − 1`` or a half of it, a quarter, …: so come
-    apart Carmichael numbers, and products of primes p and k(p − 1) + 1, of which pseudoprimes are made.
-    FLINT must not be asked to factor a pseudoprime to the base 2 beyond 81 bits: its proof of primality,
-    which it tries first, then never ends.
+    The divisor is a common divisor with ``aⁿ − 1`` for small a and ``n = (m − 1)/2ᵏ``. This splits Carmichael
+    numbers, and products of primes p and k(p − 1) + 1, a common form of pseudoprimes. FLINT must not be asked
+    to factor a pseudoprime to base 2 of more than 81 bits, because its proof of primality, which it tries
+    first, does not end.
     """
     twos, odd = remove(m - 1, 2)
     passes = False

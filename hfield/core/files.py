@@ -22,10 +22,10 @@ STEM = 40  # letters of the name that the name beside it begins with
 def whole_file(path: Path, replace: bool | None = None) -> Iterator[Path]:
     """Yield a hidden name beside ``path``; the file written there is renamed to ``path`` at the end.
 
-    ``replace`` says whether a file of that name may be replaced; None: one that is there at the start may,
-    one that appears meanwhile may not. A link stays a link: what it points to is replaced, and keeps its
-    permissions. Nothing is left after an error or SIGTERM, and nothing replaced where nothing was written.
-    Raises OSError.
+    ``replace`` says whether an existing file may be replaced; with None, a file that exists at the start may
+    be replaced, but not one that appears later. If ``path`` is a link, its target is replaced and keeps its
+    permissions. After an error or SIGTERM no temporary file remains, and if nothing was written nothing is
+    replaced. Raises OSError.
     """
     target = path.resolve()
     part = _beside(target)
@@ -49,7 +49,7 @@ def whole_file(path: Path, replace: bool | None = None) -> Iterator[Path]:
 def whole_folder(path: Path, replace: bool) -> Iterator[Path]:
     """Yield a hidden new folder beside ``path``; it is renamed to ``path`` at the end.
 
-    Without ``replace`` it takes only the place of an empty folder. Raises OSError.
+    Without ``replace`` it can replace only an empty folder. Raises OSError.
     """
     target = path.resolve()
     part = _beside(target)
@@ -103,14 +103,14 @@ def _ended_by_sigterm() -> Iterator[None]:
 
 
 def sweep(path: Path) -> None:
-    """Remove temporary files that killed processes left beside ``path``. Raises OSError."""
+    """Remove temporary files beside ``path`` left by killed processes. Raises OSError."""
     target = path.resolve()
     start = _prefix(target)
     for old in target.parent.iterdir():
         number, _, rest = old.name.removeprefix(start).partition(".")
         if not (old.name.startswith(start) and rest.split(".")[0] == PART):
             continue
-        # In containers the same numbers come again: our own is that of a dead run.
+        # In containers process ids are reused: a folder with our own id belongs to an ended run.
         if number.isdecimal() and (int(number) == os.getpid() or not _alive(int(number))):
             if old.is_dir():
                 shutil.rmtree(old, ignore_errors=True)

@@ -11,13 +11,15 @@ Row = dict[str, Any]
 
 
 class Journal:
-    """A file of JSON lines that survives a kill: rows are appended, and read back whole."""
+    """A file of JSON lines that survives a kill; rows are appended, and read back completely."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
 
     def read(self) -> list[Row]:
-        """Cut off an incomplete last line and return the rows. Raises ValueError for one that is not JSON."""
+        """Remove an incomplete last line and return the rows. Raises ValueError for a line that is
+        not JSON.
+        """
         if not self.path.exists():
             return []
         data = self.path.read_bytes()

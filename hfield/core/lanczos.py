@@ -1,13 +1,13 @@
-"""Rational eigenvalues of large sparse matrices that are self-adjoint, by Lanczos' recurrence modulo a prime.
+"""Rational eigenvalues of large sparse self-adjoint matrices, by Lanczos' recurrence modulo a prime.
 
-Let T be a matrix of n rows over a field, self-adjoint for a diagonal form, and v a vector. If the vectors q₀
-= v, qⱼ₊₁ = T·qⱼ − αⱼ·qⱼ − γⱼ·qⱼ₋₁, each orthogonal to those before, have values ⟨qⱼ, qⱼ⟩ ≠ 0 until q_m = 0,
-then the form is regular on their span K. So the space is K ⊕ K^⊥, both stable under T. On K eigenspaces have
-dimension 1, and the eigenvalues are the roots of a polynomial that the recurrence gives; K^⊥ has dimension n
-− m. Therefore **the eigenspaces of T have together at most n − m dimensions more than there are roots** in K.
-This is a proof, over the integers modulo a prime and hence over ℚ: the arithmetic is exact, and what was
-chosen at random, v, plays no part. Where independent eigenvectors over ℤ, which are verified, reach the
-bound, there are no others.
+Let T be an n × n matrix over a field, self-adjoint for a diagonal form, and v a vector. Define q₀ = v, qⱼ₊₁ =
+T·qⱼ − αⱼ·qⱼ − γⱼ·qⱼ₋₁, each orthogonal to those before. If ⟨qⱼ, qⱼ⟩ ≠ 0 until q_m = 0, then the form is
+regular on the span K of the qⱼ. So the space is K ⊕ K^⊥, and both parts are stable under T. On K eigenspaces
+have dimension 1, and the eigenvalues are the roots of a polynomial that the recurrence gives; K^⊥ has
+dimension n − m. Therefore **the sum of the dimensions of the eigenspaces of T is at most n − m plus the
+number of roots** in K. This is a proof over the integers modulo a prime and hence over ℚ, because the
+arithmetic is exact and the argument does not depend on the random choice of v. If verified independent
+eigenvectors over ℤ reach the bound, there are no others.
 
 An eigenvector for the root a is Σ pⱼ(a)/⟨qⱼ, qⱼ⟩·qⱼ with the polynomials pⱼ of the recurrence, pⱼ(T)·v = qⱼ.
 (C. Lanczos, 1950; W. Eberly and E. Kaltofen, "On randomized Lanczos algorithms", 1997.)
@@ -29,15 +29,15 @@ MAX_DENOMINATORS = 40
 
 
 class BreakdownError(ArithmeticError):
-    """A vector of the recurrence is isotropic: another start is needed."""
+    """A vector of the recurrence is isotropic, so another start vector is needed."""
 
 
 @dataclass(frozen=True)
 class SparseOperator:
-    """A matrix of integers, self-adjoint for a diagonal form: rows padded with zeros to one length k.
+    """An integer matrix that is self-adjoint for a diagonal form, as rows padded with zeros to length k.
 
-    ``columns`` and ``entries`` have the shape (k, n), and ``weights`` (n,); entries of a row may share a
-    column. Row sums of absolute values are below 2³¹.
+    ``columns`` and ``entries`` have the shape (k, n), and ``weights`` (n,); several entries of a row may be
+    in the same column. Row sums of absolute values are below 2³¹.
     """
 
     columns: np.ndarray
@@ -50,7 +50,7 @@ class SparseOperator:
         return len(self.weights)
 
     def is_self_adjoint(self) -> bool:
-        """Return whether weights times entries are a symmetric matrix, exactly."""
+        """Return whether weights times entries form a symmetric matrix, exactly."""
         rows = np.broadcast_to(np.arange(self.size), self.columns.shape)
         values = self.entries * self.weights
         here = _summed(rows * self.size + self.columns, values)
@@ -58,7 +58,7 @@ class SparseOperator:
         return all(map(np.array_equal, here, there))
 
     def times(self, vector: np.ndarray) -> np.ndarray:
-        """Return the matrix times a column of integers, whose values times row sums are words."""
+        """Return the matrix times a column of integers; values times row sums must fit into words."""
         found: np.ndarray = self.entries[0] * vector[self.columns[0]]
         for columns, entries in zip(self.columns[1:], self.entries[1:], strict=True):
             found += entries * vector[columns]
@@ -86,7 +86,7 @@ class Recurrence:
         return len(self.alphas)
 
     def polynomials(self, a: int) -> list[int]:
-        """Return p₀(a), …, p_m(a): a is an eigenvalue exactly where the last is 0."""
+        """Return p₀(a), …, p_m(a); a is an eigenvalue if and only if the last is 0."""
         values, before = [1], 0
         for alpha, gamma in zip(self.alphas, self.gammas, strict=True):
             value = values[-1]
@@ -96,12 +96,12 @@ class Recurrence:
 
 
 def _half_reduced(x: np.ndarray) -> np.ndarray:
-    """Return numbers below 2³³ that are congruent to numbers of 0, …, 2⁶³ − 1."""
+    """Return numbers below 2³³ congruent to numbers in 0, …, 2⁶³ − 1."""
     return (x & PRIME) + (x >> BITS)
 
 
 def _reduced(x: np.ndarray) -> np.ndarray:
-    """Return numbers of 0, …, 2⁶³ − 1 modulo the prime."""
+    """Return numbers in 0, …, 2⁶³ − 1 modulo the prime."""
     found = _half_reduced(_half_reduced(x))
     found[found >= PRIME] -= PRIME
     return found
@@ -121,7 +121,7 @@ class _Steps:
         return _reduced(self.operator.times(self.vector) + self._offset)
 
     def step(self, image: np.ndarray, alpha: int, gamma: int) -> None:
-        """Go on to the next vector."""
+        """Compute the next vector."""
         found = _half_reduced(self.vector * (-alpha % PRIME))
         found += _half_reduced(self._before * (-gamma % PRIME))
         found += image
@@ -186,10 +186,10 @@ def echelon(vectors: Sequence[np.ndarray]) -> tuple[list[np.ndarray], list[int]]
 
 
 def lifted(operator: SparseOperator, vector: np.ndarray, a: int) -> np.ndarray | None:
-    """Return a multiple of a vector, v with T·v = a·v over the integers, which is verified; or None.
+    """Return an integer multiple v of a vector with T·v = a·v, verified over the integers; or None.
 
     One coordinate of the vector is 1. Coordinates are fractions with numerators and denominators up to
-    MAX_LIFTED; there is None where one is not.
+    MAX_LIFTED; the result is None if one is not.
     """
     for _ in range(MAX_DENOMINATORS):
         numbers = np.where(vector > PRIME // 2, vector - PRIME, vector)

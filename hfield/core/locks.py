@@ -1,8 +1,8 @@
 """Locks and imports that are safe when a process forks.
 
-A fork waits for our own locks. A thread may take one twice, as the handler of a signal that comes in between
-does. What is read on every call is published under a lock and read without. The child drops Python's own
-locks of modules that other threads were importing.
+A fork waits for this package's locks. A thread may acquire a lock twice, as a signal handler may do. Data
+read on every call is published under a lock and read without one. A child process drops Python's import locks
+of modules that other threads were importing.
 """
 
 import functools
@@ -26,11 +26,11 @@ def lock() -> RLock:
 
 
 def _forget_imports() -> None:
-    """Drop, in a child, imports that other threads of its parent had begun.
+    """Drop, in a child process, imports that other threads of the parent had started.
 
     Each module has a lock, which its importer holds until the module is complete. In the child nobody would
-    complete it, so the next import there starts anew. A package of somebody else starts anew with all its
-    modules, which the incomplete ones may have changed.
+    complete it, so the next import starts again. A package of another project is imported again with all its
+    modules, since the incomplete ones may have changed them.
     """
     locks = getattr(_bootstrap, "_module_locks", {})
     for name, reference in tuple(locks.items()):

@@ -26,7 +26,7 @@ def pack(numbers: Sequence[int]) -> bytes:
 
 
 def unpack(data: bytes) -> list[int]:
-    """Return the integers that :func:`pack` was given."""
+    """Return the integers packed by :func:`pack`."""
     if data[:1] == LONG:
         return [int(word, 16) for word in data[1:].split()]
     found = array(data[:1].decode())

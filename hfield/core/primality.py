@@ -1,7 +1,7 @@
 """Prove that integers are prime, and recognise powers of primes.
 
-"Prime" is proved: by deterministic Miller–Rabin below 2⁸¹ (Sorenson and Webster, Math. Comp. 86, 2017),
-beyond that by the tests of Pocklington and Morrison or by APR-CL, all of FLINT.
+"Prime" means proved prime: by deterministic Miller–Rabin below 2⁸¹ (Sorenson and Webster, Math. Comp. 86,
+2017), and above that by the tests of Pocklington and Morrison or by APR-CL, all from FLINT.
 """
 
 from collections.abc import Iterator
@@ -21,10 +21,9 @@ LONGEST_BITS = 8192
 
 
 def is_probable_prime(n: int) -> bool:
-    """Return whether n passes the test of Baillie, Pomerance, Selfridge and Wagstaff: if not, it is
-    composite.
+    """Return whether n passes the Baillie–PSW test; if not, n is composite.
 
-    Nobody knows a composite number that passes, and below 2⁶⁴ there is none.
+    No composite number that passes is known, and below 2⁶⁴ there is none.
     """
     return n > 1 and bool(flint.fmpz(n).is_probable_prime())
 
@@ -65,7 +64,7 @@ def primes(below: int | None = None) -> Iterator[int]:
 
 
 def prime_power(q: int) -> tuple[int, int] | None:
-    """Return (p, n) with q = pⁿ and p prime, or None. Raises as :func:`is_prime`."""
+    """Return (p, n) with q = pⁿ and p prime, or None. Raises as :func:`is_prime` does."""
     if q < 2:
         return None
     root, n = power_root(q)

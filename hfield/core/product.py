@@ -1,10 +1,9 @@
-"""Product, conjugate, norm and trace where ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``.
+"""Product, conjugate, norm and trace for ``i² = a + t·i``, ``j² = b``, ``ij = k``, ``ji = t·j − k``.
 
-Everything here uses only ``+``, ``−`` and ``×`` on coordinates: no literal, no division, no branch
-on the ring. So the same lines multiply flint scalars, arrays of a million Galois field elements,
-polynomials in unknown coordinates, and floats. ``(a, t, b) = (−1, 0, −1)`` gives Table 1.1 of the
-thesis (section 1), which nobody has to type in; ``t = 1`` gives the Artin–Schreier algebras
-``[a, b | F)`` of characteristic 2.
+Everything here uses only ``+``, ``−`` and ``×`` on coordinates: no literals, no division, no branches that
+depend on the ring. So the same code multiplies flint scalars, arrays of Galois field elements, polynomials in
+unknown coordinates, and floats. ``(a, t, b) = (−1, 0, −1)`` gives Table 1.1 of the thesis (section 1); ``t =
+1`` gives the Artin–Schreier algebras ``[a, b | F)`` of characteristic 2.
 """
 
 from __future__ import annotations
@@ -52,7 +51,7 @@ if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
     S = TypeVar("S", bound=SupportsArithmetic)
-    C = TypeVar("C", default=Any)  # scalars, or what stands for them: a text, a number of a row
+    C = TypeVar("C", default=Any)  # scalars, or objects for them: texts, numbers of a row
 else:
     from typing import TypeVar
 
@@ -63,7 +62,7 @@ Coordinates: TypeAlias = tuple[C, C, C, C]
 
 
 class Constants(NamedTuple, Generic[C]):
-    """The structure constants ``(a, t, b)``, in the order in which ``i² = a + t·i, j² = b`` has them."""
+    """The structure constants ``(a, t, b)``, in the order of ``i² = a + t·i, j² = b``."""
 
     a: C
     t: C

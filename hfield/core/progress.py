@@ -14,7 +14,7 @@ _now: tuple[str, float, float] | None = None
 
 
 def report(done: Fraction | float, total: Fraction | float, what: str) -> None:
-    """Report how much of a total is done; at the total, the loop ends.
+    """Report how much of a total is done; reporting the total ends the loop.
 
     >>> report(3, 4, "classes")
     >>> current()[1]
@@ -27,7 +27,7 @@ def report(done: Fraction | float, total: Fraction | float, what: str) -> None:
 
 
 def current() -> tuple[str, float, float] | None:
-    """Return the name of the running loop, the share that is done and the seconds since it began, or None."""
+    """Return the name of the running loop, the fraction done and the seconds since it began, or None."""
     if _now is None:
         return None
     what, since, share = _now

@@ -26,7 +26,7 @@ class WithoutCaches:
 
 
 class cached_property(functools.cached_property[T]):  # noqa: N801  # it stands for that of functools
-    """A cached property without a lock: the first access takes a third of the time of functools's.
+    """A cached property without a lock; its first access takes a third of the time of functools's.
 
     Python takes no lock since 3.12: two threads may compute a value twice. ``super().x`` computes the value
     of the base class each time: the cache belongs to the attribute of the object's own class. Raises

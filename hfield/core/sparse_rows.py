@@ -17,9 +17,9 @@ MAX_ENTRY = 2**32 - 1
 
 
 class SparseRows(Sequence[dict[int, int]]):
-    """The rows of a matrix as dicts {column: entry} of the entries that are not 0; 8 bytes an entry are kept.
+    """The rows of a matrix as dicts {column: entry} of nonzero entries, stored in 8 bytes per entry.
 
-    It is a sequence that makes the dicts when they are read, columns ascending, and equals a list of them.
+    It is a sequence that builds the dicts on access, with ascending columns, and equals a list of them.
 
     >>> rows = SparseRows([{1: 2, 0: 1}, {0: 3}])
     >>> rows[0], list(rows), rows == [{0: 1, 1: 2}, {0: 3}]
@@ -34,7 +34,7 @@ class SparseRows(Sequence[dict[int, int]]):
             self.append(row)
 
     def append(self, row: Mapping[int, int]) -> None:
-        """Add a row. Raises OverflowError for an entry that is negative or above MAX_ENTRY."""
+        """Append a row. Raises OverflowError for an entry that is negative or above MAX_ENTRY."""
         columns = sorted(n for n, entry in row.items() if entry)
         self._columns.extend(columns)
         self._entries.extend([row[n] for n in columns])
@@ -73,7 +73,8 @@ class SparseRows(Sequence[dict[int, int]]):
     def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The starts of the rows, the columns and the entries, as in ``scipy.sparse.csr_array``.
 
-        With ``starts, columns, entries = rows.arrays`` it is ``csr_array((entries, columns, starts))``.
+        With ``starts, columns, entries = rows.arrays``, the scipy matrix is ``csr_array((entries, columns,
+        starts))``.
         """
         import numpy as np
 

@@ -1,9 +1,9 @@
 """The formulas of an algebra as straight-line programs.
 
-A function of :mod:`hfield.core.product` is called with symbols that write down what is done to them. The
-structure constants that are 0, 1 or −1 are put in: a = −1 becomes a sign, t = 0 becomes nothing, and
-what was computed once is not computed again. All other constants are inputs with a name. What comes
-out serves every emitter: source text for Python, loops for a compiler, lines for a reader.
+A function of :mod:`hfield.core.product` is called with symbols that record the operations on them. Structure
+constants that are 0, 1 or −1 are substituted: a = −1 becomes a sign, t = 0 disappears; and common
+subexpressions are computed only once. All other constants are named inputs. The result is used by every
+emitter: source text for Python, loops for a compiler, lines for a reader.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 ZERO, ONE, MINUS_ONE = "0", "1", "-1"
 FIRST, SECOND = ("w1", "x1", "y1", "z1"), ("w2", "x2", "y2", "z2")
-GENERAL = Constants("a", "t", "b")  # constants of which nothing is known
+GENERAL = Constants("a", "t", "b")  # constants about which nothing is known
 
 
 class ProgramStep(NamedTuple):
@@ -35,11 +35,10 @@ class ProgramStep(NamedTuple):
 
 @dataclass(frozen=True)
 class Program:
-    """A list of steps, each on inputs and on the results of steps before it.
+    """A list of steps, each on inputs and on the results of earlier steps.
 
-    ``inputs`` are the names that are read: coordinates ``w1 … z1`` (and ``w2 … z2`` of a second
-    element) and the constants ``a, t, b`` as far as they occur. ``outputs`` name steps or inputs, or
-    are ``"0"``.
+    ``inputs`` are the names that are read: coordinates ``w1 … z1`` (and ``w2 … z2`` of a second element) and
+    those of the constants ``a, t, b`` that occur. ``outputs`` are names of steps or inputs, or ``"0"``.
     """
 
     inputs: tuple[str, ...]
@@ -47,7 +46,7 @@ class Program:
     outputs: tuple[str, ...]
 
     def evaluate(self, values: dict[str, S], zero: S) -> tuple[S, ...]:
-        """Run the program on values with ``+ − ×``; the oracle for all emitters."""
+        """Run the program on values with ``+ − ×``; the reference for all emitters."""
         known = {ZERO: zero, **values}
         for name, operation, operands in self.steps:
             x, *rest = (known[n] for n in operands)
@@ -64,7 +63,7 @@ class Program:
     ) -> tuple[list[tuple[str, str]], list[str]]:
         """Return the program as nested expressions: assignments of shared subexpressions, and outputs.
 
-        ``write(operation, operands)`` gives the text of one operation on texts of operands.
+        ``write(operation, operands)`` returns the text of one operation on texts of operands.
         """
         uses: dict[str, int] = {}
         for n in [n for step in self.steps for n in step.operands] + list(self.outputs):
@@ -81,7 +80,7 @@ class Program:
 
 
 class _Tape:
-    """The tape on which symbols record their steps, each once."""
+    """The tape on which symbols record their steps, without duplicates."""
 
     def __init__(self, characteristic: int) -> None:
         self.characteristic = characteristic
@@ -98,7 +97,7 @@ class _Tape:
 
 
 class _Symbol:
-    """An input or a result, perhaps with a sign; ``+ − ×`` are written on the tape."""
+    """An input or a result, possibly with a sign; ``+ − ×`` are recorded on the tape."""
 
     def __init__(self, tape: _Tape, name: str, negative: bool = False) -> None:
         self.tape, self.name = tape, name
@@ -131,7 +130,7 @@ class _Symbol:
         return _Symbol(self.tape, self.tape.write("*", self.name, other.name), negative)
 
     def settled(self) -> str:
-        """Return the name of the value, its sign carried out."""
+        """Return the name of the value, after recording its sign."""
         return self.tape.write("neg", self.name) if self.negative else self.name
 
 
@@ -160,7 +159,9 @@ class _Extended:
         return _Extended(product)
 
     def reduced(self, relation: Sequence[_Symbol]) -> list[_Symbol]:
-        """Return the coefficients after ``sⁿ = Σ relation[k]·sᵏ`` was used from the top down."""
+        """Return the coefficients after substituting ``sⁿ = Σ relation[k]·sᵏ`` from the highest
+        power down.
+        """
         parts = list(self.parts)
         while len(parts) > len(relation):
             top = parts.pop()
@@ -170,7 +171,7 @@ class _Extended:
 
 
 def _adjoint(c: Constants[S], q: Coordinates[S]) -> tuple[S, ...]:
-    """Return the conjugate and the norm: the inverse but for the one division."""
+    """Return the conjugate and the norm, from which one division gives the inverse."""
     return (*product.conjugate(c, q), product.norm(c, q))
 
 
@@ -192,9 +193,9 @@ BINARY = {"product", "sum", "difference", "multiple"}
 def specialise(formula: str, constants: Constants[str], characteristic: int = 0) -> Program:
     """Return the program of one of ``FORMULAS``, such as ``product`` or ``norm``.
 
-    Each constant is ``"0"``, ``"1"``, ``"-1"`` or the name of an input. The adjoint is the conjugate and
-    the norm, five outputs: the inverse but for the division. In characteristic 2 signs vanish and x + x
-    is nothing; of other characteristics no use is made.
+    Each constant is ``"0"``, ``"1"``, ``"-1"`` or the name of an input. The adjoint is the conjugate and the
+    norm, five outputs, from which one division gives the inverse. In characteristic 2 signs vanish and x + x
+    is 0; other characteristics are not used.
 
     >>> specialise("norm", Constants("-1", "0", "-1")).steps[0]
     ProgramStep(name='s1', operation='*', operands=('w1', 'w1'))
@@ -211,9 +212,9 @@ def specialise_extension(
 ) -> Program:
     """Return the program over an extension ``R[s]`` of degree n on the coefficients of 1, s, …, sⁿ⁻¹.
 
-    ``relation`` says what sⁿ is, constants and relation by n names as :func:`specialise` takes them, and
-    :func:`parts` names the n inputs of a coordinate. Products are added up before they are reduced. There
-    are n outputs for every one of :func:`specialise`.
+    ``relation`` gives sⁿ. Constants and relation are given by n names each, as :func:`specialise` expects
+    them, and :func:`parts` names the n inputs of a coordinate. Products are added before they are reduced.
+    There are n outputs for each output of :func:`specialise`.
 
     >>> gauss = ("-1", "0"), ("0", "0"), ("-1", "0")
     >>> len(specialise_extension("product", gauss, ("-1", "0")).outputs)
@@ -273,7 +274,7 @@ def pattern(constants: Constants[T], is_constant: Callable[[T, int], bool]) -> C
 
 
 def arithmetic_text(operation: str, operands: Sequence[str]) -> str:
-    """Write an operation as Python does, with the parentheses that keep the order of the steps."""
+    """Write an operation in Python notation, with parentheses that keep the order of the steps."""
     if operation == "neg":
         return f"-{_closed(operands[0], ' ')}"
     left, right = operands
@@ -283,7 +284,7 @@ def arithmetic_text(operation: str, operands: Sequence[str]) -> str:
 
 
 def _closed(text: str, signs: str) -> str:
-    """Parenthesise a text that begins with one of the signs or has one outside of parentheses."""
+    """Parenthesise a text that begins with one of the signs or contains one outside parentheses."""
     if any(sign in signs or (sign == "-" and n == 0) for n, sign in outside(text)):
         return f"({text})"
     return text

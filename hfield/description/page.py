@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.description.summary import Description
 
-WIDTH = 100  # where nobody says how wide the page is
+WIDTH = 100  # if no page width is given
 
 
 def parts(d: Description) -> list[AnswerSection]:
-    """Return the page about an algebra in parts: title, multiplication table, and facts."""
+    """Return the page about an algebra in sections: title, multiplication table, and facts."""
     A = d.algebra
     over = A.ring.in_words()
     return [
@@ -39,7 +39,7 @@ def parts(d: Description) -> list[AnswerSection]:
 
 
 def _relations(relations: Sequence[str], width: int) -> list[str]:
-    """Lay out the relations in lines, each of them whole."""
+    """Lay out the relations in lines, without breaking a relation."""
     whole = (shorten(relation, width // 2).replace(" ", "\0") for relation in relations)
     return [line.replace("\0", " ") for line in hanging("  ", ",   ".join(whole), width)]
 
@@ -52,13 +52,13 @@ def _table(A: QuaternionAlgebra, width: int) -> list[str]:
 
 
 def _facts(d: Description) -> list[tuple[str, list[tuple[str, str]]]]:
-    """Return the facts in three parts, each a title and pairs of a label and a text."""
+    """Return the facts in three sections, each a title and pairs of a label and a text."""
     base = "Base field" if d.algebra.ring.is_field else "Base ring"
     return [(base, _field(d)), ("Algebra", _algebra(d)), ("Places", _places(d))]
 
 
 def _title(name: str, ring: str, width: int) -> list[str]:
-    """Lay out the first line, which says what the base ring is, in words, and a rule under it."""
+    """Lay out the first line, which describes the base ring, with a rule below."""
     over = shorten(f"over {ring}", width - 20)
     title = f"{shorten(name, width - len(over) - 2)}  {over}"
     return [title, "─" * len(title)]
@@ -86,7 +86,7 @@ def _field(d: Description) -> list[tuple[str, str]]:
 
 
 def _lattice(F: Ring, basis: Iterable[Scalar]) -> str:
-    """Write what elements of a number field span over ℤ."""
+    """Write the lattice spanned over ℤ by elements of a number field."""
     return f"ℤ⟨{', '.join(F.text(x, 'unicode') for x in basis)}⟩"
 
 
@@ -208,7 +208,9 @@ def _places(d: Description) -> list[tuple[str, str]]:
 
 
 def _nowhere(d: Description) -> str:
-    """Say that no place is ramified; over functions over ℚ such an algebra may be one over the constants."""
+    """Return the text for an algebra without ramified places; over functions over ℚ it may come from the
+    constants.
+    """
     field = global_field(d.algebra.ring)
     if field is None or field.splits_if_unramified:
         return "no place"

@@ -28,10 +28,11 @@ ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of
 
 @dataclass(repr=False)
 class Description:
-    """All that is known of ``algebra``, as :func:`info` returns it; it shows as the page of ``hfield info``.
+    """Everything known about ``algebra``, as :func:`info` returns it; it is displayed as ``hfield info``
+    prints it.
 
-    An answer that is None was not decided, or has no meaning here.
-    ``undecided`` tells by name which were tried in vain, and why.
+    An attribute that is None was not decided, or has no meaning for this algebra. ``undecided`` maps the
+    names of the undecided ones to the reasons.
 
     >>> from hfield import info
     >>> info("H(GF(7))").division
@@ -79,7 +80,7 @@ class Description:
         return f"<pre>{escape(str(self))}</pre>"
 
     def to_json(self) -> dict[str, object]:
-        """Return the summary as JSON data: scalars as texts, elements as four scalars."""
+        """Return the summary as JSON data, with scalars as texts and elements as four scalars."""
         A, F = self.algebra, self.algebra.ring
         a, t, b = (F.text(c) for c in A.constants)
         level = "inf" if F.level.value == INFINITY else F.level.value
@@ -128,7 +129,7 @@ class Description:
         }
 
     def discriminant_json(self) -> object:
-        """Return an int over ℚ, the text of a polynomial, or the texts of prime ideals."""
+        """Return the discriminant: an int over ℚ, the text of a polynomial, or the texts of prime ideals."""
         if self.discriminant is None or isinstance(self.discriminant, int):
             return self.discriminant
         if isinstance(self.discriminant, tuple):
@@ -143,17 +144,17 @@ class Description:
 
 
 def place_json(place: object) -> object:
-    """Return a prime as a number, and any other place as the text that reads back."""
+    """Return a prime as a number, and any other place as a text that can be read back."""
     return place if isinstance(place, int) else str(place)
 
 
 def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None) -> Description:
-    """Return all that is known of an algebra: what ``hfield info`` prints, as an object that shows itself.
+    """Return everything known about an algebra, as an object that is displayed as ``hfield info`` prints it.
 
-    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of an algebra over ℚ,
-    or a ring or its text for H(F). ``factors`` may name primes of a and b, which
-    spares their factorisation where it is too hard. Nothing raises where something is merely undecided: see
-    ``undecided``. Raises :class:`NotationError` for a text that names no algebra.
+    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of an algebra over ℚ, or a
+    ring or its text for H(F). ``factors`` may list primes of a and b if they are too hard to factor.
+    Undecided questions do not raise an error; see ``undecided``. Raises :class:`NotationError` for a text
+    that does not name an algebra.
 
     >>> from hfield import info
     >>> about = info("(-1,-3|QQ)")
@@ -165,9 +166,9 @@ def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None
 
 
 def algebra_named(by: QuaternionAlgebra | RingName) -> QuaternionAlgebra:
-    """Return an algebra as it is, or of its text, H(F) of F or its text, or the one of a discriminant.
+    """Return an algebra from an algebra, its text, a ring F or its text (for H(F)), or a discriminant.
 
-    ``(a,b|F)``, for every F, is the algebra with variables for constants, over ``QQ(a,b)``.
+    ``(a,b|F)``, for a general field F, is the algebra with variables as constants, over ``QQ(a,b)``.
     """
     if isinstance(by, QuaternionAlgebra):
         return by
@@ -204,7 +205,7 @@ def _describe(A: QuaternionAlgebra) -> Description:
 
 
 def _normal_form(A: QuaternionAlgebra) -> tuple[str | None, str]:
-    """Return the name of the algebra as (t² + 4a, b) or [a/t², b), and the element that replaces i."""
+    """Return the algebra's name as (t² + 4a, b) or [a/t², b), and the element that replaces i."""
     F, (a, t, b) = A.ring, A.constants
     if not (F.is_field and F.is_exact) or F.is_zero(t):
         return None, ""
@@ -234,7 +235,7 @@ def _divide_or_split(d: Description) -> None:
 
 
 def _known_division(d: Description) -> bool | None:
-    """Return whether the algebra is a division algebra, where no splitting was found."""
+    """Return whether the algebra is a division algebra, if no splitting was found."""
     places = None if d.ramified is None else global_field(d.algebra.ring)
     if places is not None and places.splits_if_unramified:
         return False
@@ -264,7 +265,7 @@ def _ramify(d: Description) -> None:
 
 
 def relations(A: QuaternionAlgebra) -> tuple[str, ...]:
-    """Return the relations that define the product, in unicode: ``i² = −1`` and so on."""
+    """Return the relations that define the product, in Unicode: ``i² = −1`` and so on."""
     _, i, j, _ = A.basis
 
     def text(q: Quaternion, unit: str = "") -> str:

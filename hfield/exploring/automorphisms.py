@@ -1,8 +1,8 @@
 """The automorphisms of a finite algebra that fix its scalars.
 
-Those of a central simple algebra are inner (Skolem and Noether): PGL(2, q). In other algebras an automorphism
-is a pair (x, y) of images of i and j, with ``x² = a + t·x``, ``y² = b`` and ``yx = t·y − xy``, for which
-1, x, y and xy are a basis.
+The automorphisms of a central simple algebra are inner (Skolem and Noether), and form PGL(2, q). In other
+algebras an automorphism is a pair (x, y) of images of i and j with ``x² = a + t·x``, ``y² = b`` and ``yx =
+t·y − xy``, such that 1, x, y and xy form a basis.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ class AutomorphismGroup(ListedGroup):
 
     @cached_property
     def structure(self) -> str:
-        """The name ``PGL(2,q)``, else the structure in the notation of GAP, or the invariants as a text.
+        """The name ``PGL(2,q)``, else the structure in GAP's notation, else the invariants as a text.
 
-        Raises :class:`TooLargeError` for groups that are too large to be listed.
+        Raises :class:`TooLargeError` for groups that are too large to list.
         """
         try:
             return self.find_name()
@@ -63,7 +63,7 @@ class AutomorphismGroup(ListedGroup):
 
     @cached_property
     def _parts(self) -> list[AutomorphismGroup]:
-        """The groups modulo the prime powers of n, of which one over ℤ/n is the product."""
+        """The groups modulo the prime powers of n; a group over ℤ/n is their product."""
         parts = prime_power_parts(self.algebra)
         return [AutomorphismGroup(part) for part in parts] if len(parts) > 1 else []
 
@@ -99,7 +99,7 @@ class AutomorphismGroup(ListedGroup):
 
     @cached_property
     def _group(self) -> FiniteGroup:
-        """The group, an automorphism being the number ``x·|A| + y`` of the images of i and j."""
+        """The group; an automorphism is the number ``x·|A| + y`` of the images x of i and y of j."""
         import numpy as np
 
         labels = self._labels
@@ -126,7 +126,7 @@ def _apply(labels: LabelledAlgebra, f: np.ndarray, elements: np.ndarray) -> np.n
 
 
 def _pairs(labels: LabelledAlgebra) -> list[int]:
-    """Return the automorphisms: the numbers of pairs of images of i and j, ascending."""
+    """Return the automorphisms, as pairs of the indices of the images of i and j, ascending."""
     import numpy as np
 
     algebra = labels.algebra

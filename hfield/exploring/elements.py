@@ -1,10 +1,10 @@
 """Collections of elements: units, zero divisors, idempotents, nilpotents, elements of given norm or trace.
 
-Over a finite ring nothing is filtered that can be solved. The norm form is a sum of two binary forms,
-``N(w, x, y, z) = N(w, x, 0, 0) + N(0, 0, y, z)``, and the trace depends on (w, x) alone. So the q² pairs
-(y, z) are sorted once by their norm, and to each pair (w, x) belongs the list of those that complete it.
-An element is a unit when its norm is one; all others are zero divisors. It is nilpotent when its trace and
-norm are. Because ``q² = tr(q)·q − N(q)``, it is idempotent when ``(tr − 1)·w = N`` and ``(tr − 1)·x``,
+Over a finite ring elements are found by solving, not by filtering, where possible. The norm form is a sum of
+two binary forms, ``N(w, x, y, z) = N(w, x, 0, 0) + N(0, 0, y, z)``, and the trace depends only on (w, x). So
+the q² pairs (y, z) are sorted once by norm, and each pair (w, x) has a list of the pairs that complete it. An
+element is a unit if its norm is a unit; all others are zero divisors. It is nilpotent if its trace and norm
+are nilpotent. Because ``q² = tr(q)·q − N(q)``, it is idempotent if ``(tr − 1)·w = N`` and ``(tr − 1)·x``,
 ``(tr − 1)·y``, ``(tr − 1)·z`` are 0.
 """
 
@@ -46,17 +46,17 @@ ROWS = 10
 
 @dataclass(frozen=True)
 class _Selection:
-    """For each pair (w, x) a key, or −1 where no (y, z) completes it, and the sorted pairs for each key."""
+    """A key for each pair (w, x), or −1 if no (y, z) completes it, and the sorted pairs for each key."""
 
     keys: np.ndarray
     completions: Callable[[int], np.ndarray]
 
 
 class Elements(WithoutCaches):
-    """The elements of an algebra with a property: iterated in the order of ``A.elements()``.
+    """The elements of an algebra with a property, iterated in the order of ``A.elements()``.
 
-    Nothing is listed before it is needed. Over an infinite field ``condition`` says which they are, and
-    :meth:`sample` draws some.
+    Elements are listed only when needed. Over an infinite field ``condition`` describes them, and
+    :meth:`sample` draws random ones.
 
     >>> from hfield import H
     >>> S = H("GF(3)").nilpotents()
@@ -100,7 +100,9 @@ class Elements(WithoutCaches):
         return self._count[0]
 
     def __len__(self) -> int:
-        """Return the number of elements; raises :class:`NotFiniteError` also beyond ``sys.maxsize``."""
+        """Return the number of elements; raises :class:`NotFiniteError` also if it exceeds
+        ``sys.maxsize``.
+        """
         if self.cardinality() > sys.maxsize:
             raise TooManyError(f"{self._title} are too many for len(); use .cardinality()")
         return self.cardinality()
@@ -109,14 +111,14 @@ class Elements(WithoutCaches):
     def formula(self) -> str | None:
         """The number as a polynomial in q, the order of the field; None over other rings.
 
-        It is that of a family of algebras: of the split ones, or of a kind of degenerate ones.
+        It holds for a family of algebras: the split ones, or one kind of degenerate algebras.
         """
         return self._count[1] if self.algebra.ring.order is not None else None
 
     def count_by_listing(self) -> int:
         """Return the number of elements by enumerating pairs of coordinates, without a formula.
 
-        Raises :class:`TooLargeError` where the ring has more than 2048 elements.
+        Raises :class:`TooLargeError` if the ring has more than 2048 elements.
 
         >>> from hfield import H
         >>> S = H("ZZ/12").idempotents(); S.count_by_listing(), len(S)
@@ -150,9 +152,10 @@ class Elements(WithoutCaches):
 
     @property
     def condition(self) -> str:
-        """A statement on an element q that holds for these elements only, as ``hfield prove`` reads it.
+        """A statement on an element q, in the language of ``hfield prove``, that holds exactly for these
+        elements.
 
-        Raises :class:`UndecidedError` over rings that are no fields, where there may be none.
+        Raises :class:`UndecidedError` over rings that are not fields, where there may be no such statement.
 
         >>> from hfield import QQ, H
         >>> H(QQ).idempotents().condition, H(QQ).elements_of_norm(2).condition
@@ -176,9 +179,9 @@ class Elements(WithoutCaches):
         return _select(self._labels, self.property)
 
     def numbers(self, block: int = BLOCK) -> Iterator[np.ndarray]:
-        """Yield the numbers of the elements, ascending, in arrays of about ``block``.
+        """Yield the numbers of the elements, ascending, in arrays of about ``block`` entries.
 
-        A number has the labels of the coordinates as its digits in base q: see ``Quaternion.to_array``.
+        The digits of a number in base q are the labels of the coordinates; see ``Quaternion.to_array``.
 
         >>> from hfield import H
         >>> [n.tolist() for n in H("GF(2)").nilpotents().numbers()]
@@ -217,7 +220,7 @@ class Elements(WithoutCaches):
         return solutions(self.algebra, self.property)
 
     def __getitem__(self, n: int) -> Quaternion:
-        """Return the n-th element; it is found without listing those before it."""
+        """Return the n-th element without listing the elements before it."""
         import numpy as np
 
         total = self.cardinality()
@@ -245,7 +248,7 @@ class Elements(WithoutCaches):
         return np.cumsum([sizes.get(key, 0) for key in keys.tolist()], dtype=np.int64)
 
     def array(self) -> Quaternion:
-        """Return all of them as one array of quaternions. Raises :class:`TooLargeError` beyond 10⁸.
+        """Return all elements as one array of quaternions. Raises :class:`TooLargeError` beyond 10⁸.
 
         >>> from hfield import H
         >>> p = H("GF(3)").units().array(); p.shape, int((p**8 == 1).sum())
@@ -262,10 +265,9 @@ class Elements(WithoutCaches):
         return self._labels.array(np.concatenate(blocks) if blocks else np.zeros(0, dtype=np.int64))
 
     def sample(self, n: int, seed: int = 0) -> tuple[Quaternion, ...]:
-        """Return n distinct random elements, the same for the same seed; all if there are fewer.
+        """Return n distinct random elements, or all if there are fewer; the same ones for the same seed.
 
-        Raises :class:`UndecidedError` over an infinite field where none is found, and it is not known
-        whether there is one.
+        Raises :class:`UndecidedError` over an infinite field if none is found, although one may exist.
 
         >>> from hfield import QQ, H, QuaternionAlgebra
         >>> A = QuaternionAlgebra(QQ, 1, 3); all(q.norm() == 0 for q in A.zero_divisors().sample(5))
@@ -298,7 +300,7 @@ class Elements(WithoutCaches):
         return f"the {self.title} of {self.algebra}"
 
     def _repr_html_(self) -> str:
-        """Return a table for a notebook: the number of elements, and the first ones with trace and norm."""
+        """Return a notebook table: the number of elements, and the first ones with trace and norm."""
         from html import escape
 
         ring = self.algebra.ring
@@ -333,7 +335,7 @@ class Elements(WithoutCaches):
 
 
 def _select(labels: LabelledAlgebra, condition: Condition) -> _Selection:
-    """Return which pairs (y, z) complete which pairs (w, x)."""
+    """Return which pairs (y, z) complete each pair (w, x)."""
     import numpy as np
 
     ring, tables, q = labels.ring, labels.tables, labels.q
@@ -372,7 +374,7 @@ def _is_nilpotent(ring: Ring, x: Scalar) -> bool:
 def _by_norm(
     labels: LabelledAlgebra, second: np.ndarray, wanted: np.ndarray
 ) -> Callable[[int], np.ndarray]:
-    """Return the pairs with a norm n for which ``key + n`` is wanted, as a function of the key."""
+    """Return, as a function of ``key``, the pairs with a norm n such that ``key + n`` is wanted."""
     import numpy as np
 
     tables, q = labels.tables, labels.q
@@ -384,7 +386,7 @@ def _by_norm(
 
 
 class _SortedPairs:
-    """The pairs (y, z) in the order of their norms."""
+    """The pairs (y, z) sorted by norm."""
 
     def __init__(self, norms: np.ndarray, q: int) -> None:
         import numpy as np
@@ -406,7 +408,7 @@ def _idempotents(
     traces: np.ndarray,
     cached: int,
 ) -> _Selection:
-    """Return the pairs for ``s = tr − 1`` and the norm ``s·w − N(w, x)`` of (y, z); they are a key."""
+    """Return the pairs (y, z) of norm ``s·w − N(w, x)`` for ``s = tr − 1``, by these two values as a key."""
     import numpy as np
 
     tables, q = labels.tables, labels.q

@@ -1,4 +1,4 @@
-"""Numbers of elements as polynomials in q, also of given trace."""
+"""Numbers of elements, also with a given trace, as polynomials in q."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ def expanded(formula: str) -> str:
 
 
 def trace_count(ring: Ring, c: Constants, s: Any) -> tuple[int, str | None]:
-    """Return how many elements have trace s over a finite ring, and the formula in q over a field.
+    """Return the number of elements of trace s over a finite ring, and over a field also the formula in q.
 
-    The trace ``2w + t·x`` is linear: over a field it takes every value q³ times, or it is 0. Over ℤ/n its
+    The trace ``2w + t·x`` is linear. Over a field it takes every value q³ times, or it is 0. Over ℤ/n its
     values are the multiples of ``g = gcd(2, t, n)``, each taken ``g·n³`` times.
     """
     assert ring.order is not None

@@ -1,4 +1,4 @@
-"""Graphs on the elements of a finite algebra other than 0, as lists of edges."""
+"""Graphs on the nonzero elements of a finite algebra, as lists of edges."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ MAX_VERTICES = 2500
 
 
 def edges(algebra: Parent, kind: str) -> list[tuple[Quaternion, Quaternion]]:
-    """Return the edges (p, q), p before q, p ≠ q: ``p·q = q·p``, or ``p·q = 0`` or ``q·p = 0``.
+    """Return the edges (p, q) with p before q: those with ``p·q = q·p``, or those with ``p·q = 0`` or ``q·p =
+    0``.
 
     Raises :class:`CoercionError` for another kind, :class:`NotFiniteError`, and :class:`TooLargeError`.
     """
@@ -28,7 +29,7 @@ def edges(algebra: Parent, kind: str) -> list[tuple[Quaternion, Quaternion]]:
 
 
 def numbered_edges(labels: LabelledAlgebra, kind: str) -> np.ndarray:
-    """Return the edges as pairs of numbers of elements, an array of two columns."""
+    """Return the edges as an array with two columns of element numbers."""
     import numpy as np
 
     if kind not in KINDS:

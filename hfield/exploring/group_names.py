@@ -1,9 +1,10 @@
-"""The structure of a finite group as a text in the notation of GAP: ``C4 x C2``, ``(C3 x C3) : C8``.
+"""The structure of a finite group as a text in GAP's notation: ``C4 x C2``, ``(C3 x C3) : C8``.
 
-An abelian group is a product of cyclic groups each of whose orders divides the one before. Else a group is
-split into a direct product, then into a semidirect product ``N : H``, of N normal and a complement H: first
-with N and H abelian, then with N as large as may be. ``N . H`` is an extension for which no complement was
-found. What is written is true of the group; GAP may choose another such decomposition.
+An abelian group is a product of cyclic groups in which each order divides the previous one. Any other group
+is split into a direct product if possible, else into a semidirect product ``N : H`` of a normal subgroup N
+and a complement H: first with N and H abelian, then with N as large as possible. ``N . H`` is an extension
+for which no complement was found. The text describes the group correctly, but GAP may choose another such
+decomposition.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ MAX_TRIALS = 3000
 class GroupInvariants:
     """Invariants of a finite group: orders, and abelian groups as texts.
 
-    ``abelian_quotient`` is the group modulo its commutators. ``derived_series`` are the orders of the group
-    and of its iterated commutator subgroups, down to a perfect group, such as the trivial one.
+    ``abelian_quotient`` is the group modulo its commutators. ``derived_series`` lists the orders of the group
+    and of its iterated commutator subgroups, down to a perfect group, which may be trivial.
 
     >>> from hfield import H
     >>> print(H("GF(3)").unit_group().invariants)
@@ -57,7 +58,7 @@ class GroupInvariants:
 
 
 class NamedGroup(Protocol):
-    """A group that has a name and invariants."""
+    """A group with a name and invariants."""
 
     def find_name(self) -> str:
         """Return the name or structure."""
@@ -73,16 +74,16 @@ class ListedGroup(WithoutCaches, ABC):
     @cached_property
     @abstractmethod
     def _group(self) -> FiniteGroup:
-        """The group, listed."""
+        """The group with listed elements."""
 
     @cached_property
     @abstractmethod
     def _parts(self) -> Sequence[NamedGroup]:
-        """The groups of which this one is the product, or none."""
+        """The groups whose product is this group, or none."""
 
     @abstractmethod
     def _theoretical_name(self) -> str | None:
-        """Return the name that the theory gives, such as ``GL(2,3)``."""
+        """Return the name known from theory, such as ``GL(2,3)``."""
 
     def find_name(self) -> str:
         """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
@@ -151,7 +152,7 @@ def structure(group: FiniteGroup) -> str:
 
 
 def invariants(group: FiniteGroup) -> list[int]:
-    """Return the orders of cyclic factors of a group modulo its commutators, each divided by the next."""
+    """Return the orders of the cyclic factors of the abelianisation, each divisible by the next."""
     import numpy as np
 
     inside = group.commutators
@@ -186,7 +187,7 @@ def merged_invariants(exponents: dict[int, list[int]]) -> list[int]:
 
 
 def cyclic_factors(orders: Sequence[int]) -> str:
-    """Write a product of cyclic groups.
+    """Write a product of cyclic groups with these orders.
 
     >>> cyclic_factors([6, 2]), cyclic_factors([])
     ('C6 x C2', '1')
@@ -207,7 +208,9 @@ _BY_ORDERS = {
 
 
 def _named(group: FiniteGroup) -> str | None:
-    """Return the name of a symmetric, alternating, dihedral or quaternion group, or of a small linear one."""
+    """Return the name of a symmetric, alternating, dihedral or quaternion group, or of a small
+    linear group.
+    """
     key = (group.order, tuple(sorted(group.element_orders.items())))
     if key in _BY_ORDERS:
         return _BY_ORDERS[key]
@@ -261,12 +264,12 @@ def _direct_product(group: FiniteGroup) -> str | None:
 
 
 def direct_product(groups: Sequence[FiniteGroup]) -> str:
-    """Write a direct product: abelian factors together, before the others."""
+    """Write a direct product, with the abelian factors combined and first."""
     return joined([structure(group) for group in groups])
 
 
 def joined(names: Sequence[str]) -> str:
-    """Write the direct product of groups with these structures: cyclic factors are put together.
+    """Write the direct product of groups with these structures, with the cyclic factors combined.
 
     >>> joined(["C2", "C2 x S3"]), joined(["C3 : C4", "C5"])
     ('C2 x C2 x S3', 'C5 x (C3 : C4)')
@@ -298,7 +301,7 @@ def _outside_brackets(name: str) -> str:
 
 
 def _factors(name: str) -> list[str]:
-    """Return the factors of a direct product, without brackets around them."""
+    """Return the factors of a direct product, without enclosing brackets."""
     if _is_extension(name):
         return [name]
     parts, depth = [""], 0
@@ -352,7 +355,7 @@ def _contains(larger: np.ndarray, smaller: np.ndarray) -> bool:
 
 
 def _splits(group: FiniteGroup, inside: np.ndarray, quotient: FiniteGroup) -> bool:
-    """Return whether a normal subgroup has a complement, False if :data:`MAX_TRIALS` trials find none."""
+    """Return whether a normal subgroup has a complement; False if :data:`MAX_TRIALS` trials find none."""
     import numpy as np
 
     normal = np.flatnonzero(inside)

@@ -1,8 +1,8 @@
 """Draw random elements with a property over an infinite field.
 
-From one zero divisor come all kinds of them: ``z·q`` has norm 0; of two such elements u, v of the left ideal
-A·z the combination ``tr(u)·v − tr(v)·u`` is nilpotent, and ``u/tr(u)`` is idempotent. From one element of
-norm n others come by ``q²/N(q)``, which has norm 1.
+One zero divisor z gives elements of all kinds. ``z·q`` has norm 0. For two such elements u, v of the left
+ideal A·z, the combination ``tr(u)·v − tr(v)·u`` is nilpotent, and ``u/tr(u)`` is idempotent. An element of
+norm n, multiplied by elements ``q²/N(q)`` of norm 1, gives others of norm n.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ TRACES = 24
 
 
 def sample(algebra: Parent, condition: Condition, n: int, seed: int) -> tuple[Quaternion, ...]:
-    """Return up to n different elements with a property over a field.
+    """Return up to n distinct elements with a property over a field.
 
-    Raises :class:`UndecidedError` where none of a given norm is found, or zero divisors are not decided.
+    Raises :class:`UndecidedError` if no element of a given norm is found, or zero divisors are not decided.
     """
     ring = algebra.ring
     if not ring.is_field:
@@ -100,7 +100,7 @@ def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[],
 
         def idempotent() -> Quaternion:
             u = multiple()
-            if ring.is_zero(u.trace()):  # always, where the algebra modulo its radical is a field
+            if ring.is_zero(u.trace()):  # always, if the algebra modulo its radical is a field
                 return rng.choice([algebra.zero, algebra.one])
             return u * algebra.scalar(ring.inverse(u.trace()))
 
@@ -130,7 +130,7 @@ def _of_trace(
 
 
 def _of_norm(algebra: Parent, n: Scalar) -> Coordinates:
-    """Return an element of norm n. Raises :class:`UndecidedError` where none is found."""
+    """Return an element of norm n. Raises :class:`UndecidedError` if none is found."""
     ring, c = algebra.ring, algebra.constants
     root = ring.sqrt(n)
     if root is not None:

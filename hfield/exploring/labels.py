@@ -1,7 +1,8 @@
 """Number the elements of an algebra over a finite ring, for numpy.
 
-A scalar is its place in ``ring.elements()``, and an element is the four labels of its coordinates, or one
-number below q⁴ whose digits in base q they are. The order by numbers is the order of ``A.elements()``.
+The label of a scalar is its index in ``ring.elements()``. An element is given by the four labels of its
+coordinates, or by a number below q⁴ with these labels as digits in base q. The numbers are in the order of
+``A.elements()``.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ MAX_ELEMENTS = 10**6
 
 
 class LabelledAlgebra:
-    """An algebra over a finite ring, computed with by tables of the labels of scalars."""
+    """An algebra over a finite ring, with arithmetic by tables of scalar labels."""
 
     def __init__(self, algebra: Parent) -> None:
         self.algebra = algebra
@@ -71,13 +72,13 @@ class LabelledAlgebra:
         return self.of_labels(*divmod(first, self.q), *divmod(second, self.q))
 
     def of_labels(self, w: int, x: int, y: int, z: int) -> Quaternion:
-        """Return the element whose coordinates have these labels."""
+        """Return the element with these labels of coordinates."""
         parts = self._parts
         together = (parts[w][0], parts[x][1], parts[y][2], parts[z][3])
         return from_stored(self.algebra, self.algebra.storage, together)
 
     def rows(self, numbers: np.ndarray) -> Rows:
-        """Return the labels of the coordinates of numbered elements."""
+        """Return the labels of the coordinates of elements given by numbers."""
         import numpy as np
 
         if self.size <= np.iinfo(np.int32).max:
@@ -93,7 +94,7 @@ class LabelledAlgebra:
         return ((w * self.q + x) * self.q + y) * self.q + z
 
     def array(self, numbers: np.ndarray) -> Quaternion:
-        """Return numbered elements as one array of quaternions."""
+        """Return elements given by numbers as one array of quaternions."""
         import numpy as np
 
         from hfield.fields.base.array_storage.labels import LabelArrays
@@ -117,7 +118,7 @@ class LabelledAlgebra:
         return compiled_loops(self.ring, self.algebra.constants)
 
     def product(self, p: Rows, q: Rows) -> Rows:
-        """Return the elementwise products: of many elements by compiled loops, of few by tables."""
+        """Return the elementwise products, by compiled loops for many elements and by tables for few."""
         if max(p[0].size, q[0].size) >= MIN_COMPILED and self._loops is not None:
             dtype = self._loops.dtype
             left, right = (tuple(row.astype(dtype) for row in rows) for rows in (p, q))
@@ -134,7 +135,7 @@ class LabelledAlgebra:
         return w, x, y, z
 
     def products(self, p: np.ndarray, q: np.ndarray) -> np.ndarray:
-        """Return the numbers of the products of numbered elements, elementwise."""
+        """Return the numbers of the elementwise products of elements given by numbers."""
         return self.numbers(self.product(self.rows(p), self.rows(q)))
 
     def norm(self, rows: Rows) -> np.ndarray:
@@ -192,7 +193,7 @@ def order_of_ring(algebra: Parent) -> int:
 
 
 def labelled(algebra: Parent) -> LabelledAlgebra:
-    """Return the labels of an algebra, the same for equal ones.
+    """Return the labels of an algebra; equal algebras share one object.
 
     Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError` beyond :data:`MAX_ORDER`.
     """

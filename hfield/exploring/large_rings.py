@@ -24,7 +24,7 @@ MAX_TRIALS = 10_000
 
 
 def solutions(algebra: Parent, condition: Condition) -> Iterator[Quaternion]:
-    """Yield the elements with a property in the order of ``A.elements()``; the ring is large, or a field."""
+    """Yield the elements with a property in the order of ``A.elements()``, over a large ring or a field."""
     ring = algebra.ring
     name, value = condition
     if ring.is_field and name in ("zero divisors", "nilpotents", "idempotents", "norm"):
@@ -81,7 +81,7 @@ def _forms(algebra: Parent) -> tuple[_BinaryForm, _BinaryForm]:
 
 
 def _units(algebra: Parent) -> Iterator[Coordinates]:
-    """Yield the units: where the norm depends on (w, x) or on w alone, the rest is not tried."""
+    """Yield the units; if the norm depends only on (w, x) or on w, the other coordinates are not tested."""
     ring = algebra.ring
     first, second = _forms(algebra)
     for w in ring.elements():
@@ -97,10 +97,9 @@ def _units(algebra: Parent) -> Iterator[Coordinates]:
 
 
 def _of_norm(algebra: Parent, n: Scalar, s: Scalar | None) -> Iterator[Coordinates]:
-    """Yield the elements of norm n, and of trace s where it is given, over a finite field.
+    """Yield the elements of norm n, and if s is given of trace s, over a finite field.
 
-    The norm is one binary form of (w, x) plus one of (y, z); nothing is gone through where the second, or
-    the first alone, has no solution.
+    The norm is a binary form of (w, x) plus a binary form of (y, z). Ranges without solutions are skipped.
     """
     ring, c = algebra.ring, algebra.constants
     if s is None and structure.count(ring, c, "norm", n).value == 0:
@@ -132,7 +131,7 @@ def _all_pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
 
 @dataclass(frozen=True)
 class _BinaryForm:
-    """``α·y² + β·yz + γ·z²`` over a finite field."""
+    """A binary quadratic form ``α·y² + β·yz + γ·z²`` over a finite field."""
 
     ring: Ring
     coefficients: tuple[Scalar, Scalar, Scalar]
@@ -144,7 +143,7 @@ class _BinaryForm:
 
     @property
     def is_square_of_first(self) -> bool:
-        """Whether it is ``α·y²``."""
+        """Whether the form is ``α·y²``."""
         return all(map(self.ring.is_zero, self.coefficients[1:]))
 
     def value(self, y: Scalar, z: Scalar) -> Scalar:
@@ -174,12 +173,12 @@ class _BinaryForm:
 
     @property
     def _is_line(self) -> bool:
-        """Whether it is a multiple of the square of a linear form, in odd characteristic."""
+        """Whether the form is a multiple of the square of a linear form, in odd characteristic."""
         a, b, c = self.coefficients
         return self.ring.characteristic != 2 and self.ring.is_zero(b * b - self.ring(4) * a * c)
 
     def _roots(self, coefficients: list[Scalar]) -> list[Scalar]:
-        """Return the roots of a polynomial in order; all of the field for 0."""
+        """Return the roots of a polynomial in order; for the zero polynomial, all elements of the field."""
         ring = self.ring
         while coefficients and ring.is_zero(coefficients[-1]):
             coefficients = coefficients[:-1]
@@ -189,16 +188,16 @@ class _BinaryForm:
 
 
 def _binary(ring: Ring, form: Callable[[Scalar, Scalar], Scalar]) -> _BinaryForm:
-    """Return the coefficients of a binary form that is given as a function."""
+    """Return the coefficients of a binary form given as a function."""
     o, e = ring.zero, ring.one
     a, c = form(e, o), form(o, e)
     return _BinaryForm(ring, (a, form(e, e) - a - c, c))
 
 
 def drawn(elements: Elements, n: int, rng: Random) -> tuple[Quaternion, ...]:
-    """Return n different elements at random, found by trial or by the construction over infinite fields.
+    """Return n distinct random elements, found by trial or by the construction for infinite fields.
 
-    Raises :class:`TooLargeError` where trials find too few.
+    Raises :class:`TooLargeError` if the trials find too few.
     """
     algebra = elements.algebra
     if algebra.ring.is_field:

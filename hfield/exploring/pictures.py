@@ -1,4 +1,4 @@
-"""Pictures of finite algebras: products and norms as coloured squares, ideals and graphs, light and dark."""
+"""Pictures of finite algebras: products and norms as coloured squares, ideals, and graphs."""
 
 from __future__ import annotations
 
@@ -48,15 +48,15 @@ NAMED = 14
 
 
 class PictureError(HFieldError, OSError):
-    """The picture cannot be written."""
+    """A picture cannot be written."""
 
 
 @default_settings()
 def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
-    """Draw to a file .svg, .png or .pdf.
+    """Draw to a .svg, .png or .pdf file.
 
-    Raises :class:`CoercionError` for what is no picture, :class:`PictureError` where the file cannot be
-    written, :class:`NotFiniteError`, and :class:`TooLargeError` where there is too much to see.
+    Raises :class:`CoercionError` for an unknown picture, :class:`PictureError` if the file cannot be written,
+    :class:`NotFiniteError`, and :class:`TooLargeError` if the picture would be too large to read.
     """
     drawn = figure(algebra, what, dark)
     try:
@@ -70,7 +70,7 @@ def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
 
 @default_settings()
 def figure(algebra: Parent, what: str, dark: bool) -> Figure:
-    """Return the picture as a figure of matplotlib."""
+    """Return the picture as a matplotlib figure."""
     if what not in PICTURES:
         raise CoercionError(
             f"there is no picture {what!r}: expected one of {', '.join(map(repr, PICTURES))}"
@@ -90,12 +90,14 @@ def figure(algebra: Parent, what: str, dark: bool) -> Figure:
 
 
 def _hues(count: int) -> list[float]:
-    """Return hues that are far apart for neighbours."""
+    """Return hues such that neighbouring ones differ strongly."""
     return [(0.58 + 0.381966 * n) % 1 for n in range(count)]
 
 
 def _colors(labels: LabelledAlgebra, theme: Theme) -> np.ndarray:
-    """Return a colour for each element: hue by its norm, lightness by its place among those; 0 is dark."""
+    """Return a colour for each element: hue by norm, lightness by position among the elements of this norm; 0
+    is dark.
+    """
     import numpy as np
 
     everything = np.arange(labels.size)
@@ -208,7 +210,7 @@ def _name(ideal: AlgebraIdeal) -> str:
 
 
 def _covers(found: Sequence[AlgebraIdeal]) -> list[tuple[AlgebraIdeal, AlgebraIdeal]]:
-    """Return the pairs of ideals of which the first lies in the second and none is between."""
+    """Return the pairs of ideals (first, second) such that the second covers the first."""
     above = {low: {high for high in found if low < high} for low in found}
     return [
         (low, high)
@@ -275,7 +277,9 @@ def _reading_angle(x: float, y: float) -> float:
 def _layout(
     kind: str, vertices: np.ndarray, pairs: np.ndarray
 ) -> tuple[np.ndarray, list[tuple[float, float, float]]]:
-    """Return points and colours: a circle for each component, those with the same neighbours together."""
+    """Return points and colours: a circle for each component, with vertices of equal neighbourhoods
+    adjacent.
+    """
     import numpy as np
 
     place = {int(v): n for n, v in enumerate(vertices)}
@@ -289,7 +293,7 @@ def _layout(
     group_of = [0] * len(vertices)
     centres, radius = _centres(len(components))
     for component, (cx, cy) in zip(components, centres, strict=True):
-        # twins have the same neighbours; commuting ones are neighbours of each other
+        # twins have the same neighbours; commuting twins are also neighbours of each other
         own = kind == "commuting"
         keys = {
             n: frozenset(neighbours[n] | {n} if own else neighbours[n] - {n}) for n in component
@@ -321,7 +325,7 @@ def _components(neighbours: Sequence[set[int]]) -> list[list[int]]:
 
 
 def _centres(count: int) -> tuple[list[tuple[float, float]], float]:
-    """Return centres and the radius of as many circles in a square grid."""
+    """Return the centres and the common radius of ``count`` circles in a square grid."""
     if count == 1:
         return [(0.0, 0.0)], 1.0
     width = ceil(sqrt(count))

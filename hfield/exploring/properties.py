@@ -1,4 +1,4 @@
-"""The properties of collections of elements, as tests and as statements."""
+"""The properties that define collections of elements, as tests and as statements."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -7,7 +7,7 @@ from hfield.algebra.quaternion import Quaternion
 
 
 class Condition(NamedTuple):
-    """The condition of a collection: a name, and a value for elements of given norm or trace."""
+    """The condition of a collection: a name, and a value if norm or trace is given."""
 
     name: str
     value: Any = None  # None where the name says all

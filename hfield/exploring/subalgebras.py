@@ -1,8 +1,8 @@
 """Subalgebras that contain 1, over a finite field or ℤ/n, up to conjugation by units.
 
-Over a field those of dimension 2 are F[x], one for each point of the projective plane of A/F, and those of
-dimension 3 are lines in it that are closed under the product. Over ℤ/n they are the submodules of A/(ℤ/n)
-whose elements, with 1, are closed under the product.
+Over a field the subalgebras of dimension 2 are F[x], one for each point of the projective plane of A/F. Those
+of dimension 3 correspond to lines in this plane that are closed under the product. Over ℤ/n they are the
+submodules of A/(ℤ/n) whose elements, together with 1, are closed under the product.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ class Subalgebra(Submodule):
     """A subalgebra with its isomorphism type ``kind``; ``conjugates`` are its images u·S·u⁻¹, itself
     first.
 
-    Of dimension 2 it is a ``field``, ``split`` (F × F), or the ``dual numbers`` F[ε], ε² = 0; of dimension 3
-    ``triangular matrices`` or ``local``. Over ℤ/n it is ``local``, a ``product of 2 local rings`` where it is
-    commutative, or ``neither local nor commutative``.
+    In dimension 2 the type is ``field``, ``split`` (F × F), or ``dual numbers`` (F[ε], ε² = 0); in dimension
+    3 it is ``triangular matrices`` or ``local``. Over ℤ/n it is ``local``, a ``product of 2 local rings`` if
+    the subalgebra is commutative, or ``neither local nor commutative``.
 
     >>> from hfield import H
     >>> for S in H("GF(3)").subalgebras(dimension=2):
@@ -59,7 +59,9 @@ class Subalgebra(Submodule):
         return "triangular matrices" if self._has_separable_element() else "local"
 
     def _kind_over_residues(self) -> str:
-        """Return the type over ℤ/n; a finite ring is local when 0 and 1 are its only idempotents."""
+        """Return the type over ℤ/n; a finite ring is local if and only if 0 and 1 are its only
+        idempotents.
+        """
         if all(q in self for q in self.algebra.basis):
             return "the algebra"
         idempotents = sum(q in self for q in Elements(self.algebra, Condition("idempotents")))
@@ -70,7 +72,9 @@ class Subalgebra(Submodule):
         return "neither local nor commutative"
 
     def _has_separable_element(self) -> bool:
-        """Return whether some element has no double eigenvalue: a quadratic form that is not 0."""
+        """Return whether some element has distinct eigenvalues, that is, a certain quadratic form
+        is not 0.
+        """
         sums = (x + y for x, y in combinations(self.basis, 2))
         return any(not self.algebra.ring.is_zero(_discriminant(x)) for x in (*self.basis, *sums))
 
@@ -85,11 +89,11 @@ def _discriminant(x: Quaternion) -> Scalar:
 
 
 def subalgebras(algebra: Parent, dimension: int) -> tuple[Subalgebra, ...]:
-    """Return one subalgebra of a dimension for each class under conjugation by units.
+    """Return one subalgebra of a given dimension from each class under conjugation by units.
 
-    The dimension over ℤ/n is the least number of generators of the module. Raises :class:`NotFiniteError`,
-    :class:`RingError`, :class:`TooLargeError`, and :class:`CoercionError` for a dimension that is not 1, 2, 3
-    or 4.
+    Over ℤ/n the dimension is the least number of generators as a module. Raises :class:`NotFiniteError`,
+    :class:`RingError`, :class:`TooLargeError`, and :class:`CoercionError` unless the dimension is 1, 2, 3 or
+    4.
     """
     if dimension not in (1, 2, 3, 4):
         raise CoercionError(f"subalgebras have dimension 1, 2, 3 or 4, found {dimension!r}")
@@ -125,7 +129,7 @@ def _is_closed(s: Subalgebra) -> bool:
 
 
 def _candidates(algebra: Parent, dimension: int) -> Iterator[Subalgebra]:
-    """Yield the submodules of a dimension that contain 1."""
+    """Yield the submodules of a given dimension that contain 1."""
     one = algebra.one
     if not algebra.ring.is_field:
         for rows in _hermite_forms(order_of_ring(algebra)):
@@ -154,13 +158,13 @@ def _candidates(algebra: Parent, dimension: int) -> Iterator[Subalgebra]:
 
 
 def _number_of_forms(n: int) -> int:
-    """Return how many triples of rows :func:`_hermite_forms` tries."""
+    """Return the number of triples of rows that :func:`_hermite_forms` tries."""
     divisors = [d for d in range(1, n + 1) if n % d == 0]
     return len(divisors) * sum(divisors) * sum(d * d for d in divisors)
 
 
 def _hermite_forms(n: int) -> Iterator[tuple[tuple[int, int, int], ...]]:
-    """Yield a basis of each lattice between n·ℤ³ and ℤ³, in Hermite's normal form."""
+    """Yield a basis of each lattice between n·ℤ³ and ℤ³, in Hermite normal form."""
     divisors = [d for d in range(1, n + 1) if n % d == 0]
     for d, e, f in product(divisors, repeat=3):
         for z in range(f):

@@ -1,7 +1,8 @@
-"""Write identities and implications as theorems of Lean 4, proved by ``grind``.
+"""Write identities and implications as Lean 4 theorems, proved by ``grind``.
 
-The core of Lean is enough: ``Lean.Grind.CommRing`` and its solver, no Mathlib. The statement is written
-from the certificate's text; its cofactors are not needed, the solver finds its own.
+Only Lean's core is used (``Lean.Grind.CommRing`` and its solver), not Mathlib. The theorem is written from
+the statement of the certificate. The cofactors of the certificate are not used, because the solver finds its
+own.
 """
 
 from collections.abc import Iterable, Mapping
@@ -85,7 +86,7 @@ macro "coordinates" : tactic => `(tactic| (
 
 @dataclass(frozen=True)
 class LeanTheorem:
-    """A theorem of Lean 4; its proof is one tactic."""
+    """A Lean 4 theorem; its proof is one tactic."""
 
     name: str
     comment: str
@@ -101,9 +102,10 @@ def lean_file(theorems: Iterable[LeanTheorem]) -> str:
 
 
 def lean_theorem(name: str, data: object) -> LeanTheorem:
-    """Translate a certificate for all fields that is proved without dividing by anything.
+    """Translate a certificate over all fields whose proof does not use division.
 
-    Raises :class:`NotCoveredError` for any other, and :class:`MismatchError` for what is not a certificate.
+    Raises :class:`NotCoveredError` for other certificates, and :class:`MismatchError` for anything but a
+    certificate.
     """
     data = current(data)
     if not isinstance(data, Mapping) or not isinstance(data.get("statement"), str):
@@ -137,7 +139,7 @@ def lean_theorem(name: str, data: object) -> LeanTheorem:
 
 
 def lean_theorems(certificates: Mapping[str, object]) -> tuple[list[LeanTheorem], dict[str, str]]:
-    """Translate certificates; return the theorems, and why others are left out."""
+    """Translate certificates; return the theorems, and the reasons why others are left out."""
     found, left = [], {}
     for name, data in certificates.items():
         try:

@@ -1,4 +1,4 @@
-"""Base rings and fields: the protocol that they satisfy, :class:`Ring`, and a folder for each kind.
+"""Base rings and fields: the protocol :class:`Ring` that they satisfy, and a folder for each kind of ring.
 
 Elements are raw values of the library behind the ring (see ``docs/reference/rings.md``). Names are imported
 on first use, and a ring imports sympy, galois or numpy when it first needs them.

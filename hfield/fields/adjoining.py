@@ -1,4 +1,6 @@
-"""Rings with more variables: polynomials over a ring, or rational functions over a field of such."""
+"""Rings with additional variables: polynomials over a ring, or rational functions over a field of
+functions.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +19,11 @@ from hfield.fields.rationals.ring import QQ
 
 
 def adjoin_variables(base: Ring, names: tuple[str, ...]) -> Ring:
-    """Return the polynomials over a ring in more variables; over a field of functions, one in more variables.
+    """Return the polynomials over a ring in additional variables; over a field of functions, the field with
+    additional variables.
 
-    Raises :class:`RingError` for names that mean something else, and over rings without polynomials.
+    Raises :class:`RingError` for names that have another meaning, and over rings that have no polynomials
+    here.
     """
     variables(f"{base}[{','.join(names)}]", ",".join(names), base, adjoined=False)
     if isinstance(base, CircleFunctions):

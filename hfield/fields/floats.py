@@ -37,7 +37,7 @@ N = TypeVar("N", float, complex)
 
 
 class FloatingPoint(ValueRing[N]):
-    """The common part of RDF and CDF: rounded finite numbers of ``dtype``, and arrays of numpy."""
+    """The common part of RDF and CDF: rounded finite numbers of ``dtype``, and numpy arrays."""
 
     characteristic = 0
     is_exact = False
@@ -51,14 +51,14 @@ class FloatingPoint(ValueRing[N]):
 
     @abstractmethod
     def __call__(self, x: object) -> N:
-        """Turn a number into the nearest element, read a text. Raises :class:`CoercionError`."""
+        """Convert a number to the nearest element; read a text. Raises :class:`CoercionError`."""
 
     @abstractmethod
     def is_finite(self, x: N) -> bool:
         """Return whether x is neither infinite nor NaN."""
 
     def generators(self) -> dict[str, N]:
-        """Return nothing: all names are names of numbers."""
+        """Return nothing: all names stand for numbers."""
         return {}
 
     def finite(self, x: N) -> N:
@@ -72,7 +72,7 @@ class FloatingPoint(ValueRing[N]):
         return CoercionError(f"{shown} is not an element of {self}: expected a finite {self.dtype}")
 
     def inverse(self, x: N) -> N:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and where the result is not finite."""
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and if the result is not finite."""
         inverse = self.divide(self.one, x)
         if not self.is_finite(inverse):
             raise NotInvertibleError(f"1/{self.text(x)} is too large for {self}")
@@ -115,7 +115,7 @@ class FloatingPoint(ValueRing[N]):
         return out
 
     def array_units(self, values: np.ndarray) -> np.ndarray:
-        """Return a bool array: which entries are not 0."""
+        """Return a bool array that marks the nonzero entries."""
         units: np.ndarray = values != 0
         return units
 
@@ -124,14 +124,14 @@ class FloatingPoint(ValueRing[N]):
         return 1.0 / values
 
     def array_storage(self, constants: Constants) -> BatchStorage:
-        """Store an array of elements as one numpy array."""
+        """Return the storage of an array of elements as one numpy array."""
         from hfield.fields.base.array_storage.floats import FloatArrays
 
         return FloatArrays(self, constants)
 
 
 class Floats(FloatingPoint[float]):
-    """float64, without NaN and infinity; elements are Python floats, arrays numpy's.
+    """float64 without NaN and infinity; elements are Python floats, arrays are numpy's.
 
     >>> RDF("1/3")
     0.3333333333333333
@@ -154,9 +154,9 @@ class Floats(FloatingPoint[float]):
         return math.isfinite(x)
 
     def __call__(self, x: object) -> float:
-        """Turn a real number into the nearest float, read a text.
+        """Convert a real number to the nearest float; read a text.
 
-        Raises :class:`CoercionError`; NaN and infinity are refused.
+        Raises :class:`CoercionError`, also for NaN and infinity.
         """
         x = unwrap(x)
         if isinstance(x, str):
@@ -177,7 +177,7 @@ class Floats(FloatingPoint[float]):
         raise self.refuse(x, "expected a real number or its text")
 
     def closed_form(self, x: sympy.Expr) -> float:
-        """Return the nearest float to a real number of sympy."""
+        """Return the float nearest to a real sympy number."""
         value = x.evalf(20)
         if not value.is_Float and not value.is_Rational:
             raise self.refuse(x, "expected a real number")
@@ -195,7 +195,7 @@ class Floats(FloatingPoint[float]):
 
     @property
     def level(self) -> Fact:
-        """Not known: float arithmetic is no proof of anything."""
+        """Not known: float arithmetic proves nothing."""
         return Fact(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
 
     def sign(self, x: float, ordering: int = 0) -> int:
@@ -225,12 +225,12 @@ class Floats(FloatingPoint[float]):
         return text.replace("-", "−") if style == "unicode" else text
 
     def scalar(self, x: SupportsFloat) -> float:
-        """Turn an entry of an array into a Python float."""
+        """Convert an entry of an array to a Python float."""
         return float(x)
 
 
 class ComplexFloats(FloatingPoint[complex]):
-    """complex128, without NaN and infinity; elements are Python's complex numbers, arrays numpy's.
+    """complex128 without NaN and infinity; elements are Python's complex numbers, arrays are numpy's.
 
     >>> CDF("1 + 2*I") / 2, CDF("sqrt(-2)")
     ((0.5+1j), 1.4142135623730951j)
@@ -260,9 +260,9 @@ class ComplexFloats(FloatingPoint[complex]):
         return cmath.isfinite(x)
 
     def __call__(self, x: object) -> complex:
-        """Turn a number into the nearest complex float, read a text.
+        """Convert a number to the nearest complex float; read a text.
 
-        Raises :class:`CoercionError`; NaN and infinity are refused.
+        Raises :class:`CoercionError`, also for NaN and infinity.
         """
         x = unwrap(x)
         if isinstance(x, str):
@@ -278,7 +278,7 @@ class ComplexFloats(FloatingPoint[complex]):
             raise self.refuse(x, "expected a number or its text") from None
 
     def closed_form(self, x: sympy.Expr) -> complex:
-        """Return the nearest complex float to a number of sympy."""
+        """Return the complex float nearest to a sympy number."""
         value = x.evalf(20)
         if not value.is_number:
             raise self.refuse(x, "expected a number")
@@ -296,7 +296,7 @@ class ComplexFloats(FloatingPoint[complex]):
 
     @property
     def level(self) -> Fact:
-        """Not known: float arithmetic is no proof of anything."""
+        """Not known: float arithmetic proves nothing."""
         return Fact(None, "floats are rounded, so nothing about CDF is proved; CC is exact")
 
     def names(self) -> dict[str, complex]:
@@ -304,7 +304,7 @@ class ComplexFloats(FloatingPoint[complex]):
         return {"I": 1j, "pi": complex(math.pi)}
 
     def functions(self) -> dict[str, Callable[..., complex]]:
-        """The usual functions, principal values, as in ``sqrt(-2)`` and ``exp(I*pi/3)``."""
+        """The usual functions with principal values, as in ``sqrt(-2)`` and ``exp(I*pi/3)``."""
         names = [name for name in _FUNCTIONS if name not in ("sqrt", "cbrt")]
         others = {name: _checked(name, getattr(cmath, name), "complex") for name in names}
         return {"sqrt": self.sqrt, **others}
@@ -327,7 +327,7 @@ class ComplexFloats(FloatingPoint[complex]):
         return sum_text(terms, style)
 
     def scalar(self, x: SupportsComplex) -> complex:
-        """Turn an entry of an array into a Python number."""
+        """Convert an entry of an array to a Python number."""
         return complex(x)
 
 

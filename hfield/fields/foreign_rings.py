@@ -1,4 +1,4 @@
-"""Domains of sympy and field classes of galois as names of rings."""
+"""The names of the rings that correspond to sympy domains and galois field classes."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 def name_of_foreign_ring(spec: object) -> str | None:
-    """Return the name of the ring that a domain of sympy or a field of galois is; None for other objects.
+    """Return the name of the ring that a sympy domain or a galois field represents; None for other objects.
 
-    Raises :class:`RingError` for one that is not offered, or that may mean another ring than its text.
+    Raises :class:`RingError` for a ring that is not available, or whose text could mean another ring.
     """
     if isinstance(spec, type) and hasattr(spec, "irreducible_poly"):
         return _of_galois(spec)
@@ -78,7 +78,7 @@ def _variables(domain: Domain) -> str:
 
 
 def _of_algebraic(domain: Domain) -> str:
-    """Return the number field by the names of its generators, or by the polynomial of its generator."""
+    """Return the number field, given by the names of its generators or by the polynomial of its generator."""
     import sympy
 
     if not domain.domain.is_QQ:
@@ -96,7 +96,7 @@ def _of_algebraic(domain: Domain) -> str:
 
 
 def _root(x: sympy.Expr) -> sympy.Expr:
-    """Return the value of an algebraic number of sympy, which may have another name."""
+    """Return the value of an algebraic number of sympy, which may be given under another name."""
     while hasattr(x, "alias"):
         x = x.root
     expression: sympy.Expr = x
@@ -104,7 +104,7 @@ def _root(x: sympy.Expr) -> sympy.Expr:
 
 
 def _number_text(x: sympy.Expr) -> str | None:
-    """Return the text of a root of a rational number, or of a principal root of unity, or None."""
+    """Return the text of a root of a rational number or of a principal root of unity; else None."""
     import sympy
 
     if x is sympy.I:
@@ -123,7 +123,7 @@ def _number_text(x: sympy.Expr) -> str | None:
 
 
 def _order_of_principal_root(x: sympy.Expr) -> int | None:
-    """Return the n for which a numbered root is exp(2πi/n), as sympy's cyclotomic fields have it, or None."""
+    """Return n if a numbered root is exp(2πi/n), as in sympy's cyclotomic fields; else None."""
     import sympy
 
     degree = int(x.poly.degree())

@@ -1,7 +1,7 @@
 """From text to ring: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(2))``, ``GF(4)(t)``, ``QQ[x,y]``.
 
-Spellings that need no quotes in a shell are taken too: ``Q Z R C GF9 F9 ZZ6 Z6 QI Qsqrt2 Qsqrt-7 Qx
-GF2t``. White space does not matter. docs/reference/rings.md has the grammar.
+Spellings that need no quotes in a shell are also accepted: ``Q Z R C GF9 F9 ZZ6 Z6 QI Qsqrt2 Qsqrt-7 Qx
+GF2t``. White space is ignored. docs/reference/rings.md has the grammar.
 """
 
 import re
@@ -58,14 +58,14 @@ _LONG = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC"}
 _MAX_LENGTH = 10_000
 
 RingName: TypeAlias = object  # a Ring, a text, a domain of sympy, a field class of galois
-Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the bracket that opens
+Groups = list[tuple[str, str]]  # the contents of each pair of brackets, with the opening bracket
 
 
 def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
-    """Return the ring that a text, a domain of sympy or a field of galois names; a ring as it is.
+    """Return the ring that a text, a sympy domain or a galois field names; a ring is returned as it is.
 
-    ``factors`` are primes of the numbers in the text, where these are too large to be factored. Raises
-    :class:`RingError` for anything else, and for domains of floats.
+    ``factors`` are primes of numbers in the text that are too large to be factored. Raises :class:`RingError`
+    for anything else, and for domains of floats.
 
     >>> ring("GF(2^8)")
     GF(256)
@@ -93,9 +93,9 @@ def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
 
 
 def ring_of_data(data: object) -> Ring:
-    """Return the ring of the data of a certificate, as ``ring.data`` gives them.
+    """Return the ring described by the data in a certificate, as ``ring.data`` returns them.
 
-    Raises :class:`hfield.checker.rejection.Rejected` for data of none that the checker knows.
+    Raises :class:`hfield.checker.rejection.Rejected` for data of no ring that the checker knows.
     """
     from hfield.checker.scalars.fields import read_ring
 
@@ -110,12 +110,12 @@ def _ring(spec: str) -> Ring:
 
 
 def build(text: str) -> Ring:
-    """Return the ring that ``text`` names. Raises :class:`RingError`: what was wrong, how to mend it."""
+    """Return the ring that ``text`` names. Raises :class:`RingError`: what was wrong, and how to mend it."""
     if len(text) > _MAX_LENGTH:
         raise RingError(f"the name of a ring has at most {_MAX_LENGTH} characters, not {len(text)}")
     s = _without_latex("".join(text.translate(_SYMBOLS).split()))
     s = from_unicode(s).replace("**", "^")
-    s = re.sub(r"\^\((\d+)\)(?![\w(.])", r"^\1", s)  # as 2³³ comes; 2³3 is nothing
+    s = re.sub(r"\^\((\d+)\)(?![\w(.])", r"^\1", s)  # from 2³³; 2³3 remains invalid
     s = re.sub(r"[₀-₉]+(?!\w)", lambda m: f"_{m[0].translate(_LOWERED)}", s)
     if not s:
         raise RingError(f"the name of the ring is empty: {_EXPECTED}")
@@ -204,7 +204,7 @@ def _split(s: str) -> tuple[str, Groups]:
 
 
 def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
-    """Return the ring that the head names, and the groups that remain; None if there is none."""
+    """Return the ring that the head names, and the remaining groups; None if there is none."""
     long = _LONG.get(head, head)
     if long in _NAMED:
         return getattr(import_module(f"hfield.fields.{_NAMED[long]}"), long), groups
@@ -227,7 +227,7 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
 
 
 def _fractions(inner: str) -> Ring:
-    """Return the rational functions in the variables of ``QQ[pi]``, however these are called."""
+    """Return the rational functions in the variables of ``QQ[pi]``, whatever their names."""
     base, rest = _base(*_split(inner)) or (None, [])
     if base is None or [opening for opening, _ in rest] != ["["]:
         raise RingError(

@@ -66,7 +66,7 @@ class PolynomialRing(Ring):
 
     @property
     def data(self) -> dict[str, object]:
-        """The ring by its coefficients and its variables."""
+        """The ring of coefficients and the variables, as JSON data."""
         variables = list(self.variables)
         return {"kind": "polynomials", "base": self.base.data, "variables": variables}
 
@@ -81,7 +81,7 @@ class PolynomialRing(Ring):
 
     @property
     def is_domain(self) -> bool:
-        """Yes: the leading coefficient of a product is that of the factors, multiplied."""
+        """True: the leading coefficient of a product is the product of the leading coefficients."""
         return True
 
     @property
@@ -98,7 +98,7 @@ class PolynomialRing(Ring):
         return self.base
 
     def as_constant(self, x: SparsePolynomial) -> Coefficient | None:
-        """Return the coefficient that x is, or None."""
+        """Return x as an element of the ring of coefficients, or None if it is not constant."""
         return self.constant_part(x) if x.is_constant() else None
 
     def names(self) -> dict[str, SparsePolynomial]:
@@ -106,7 +106,7 @@ class PolynomialRing(Ring):
         return dict(self._gens)
 
     def __call__(self, x: object) -> SparsePolynomial:
-        """Turn a number or an element of the base ring into a constant, read a text.
+        """Convert a number or an element of the base ring to a constant; read a text.
 
         Raises :class:`CoercionError` for an element of another polynomial ring.
         """
@@ -137,11 +137,13 @@ class PolynomialRing(Ring):
         return syntax.Reader(self, self.names(), functions, self.name, 10**6).read(text)
 
     def constant(self, c: Coefficient) -> SparsePolynomial:
-        """Return the constant polynomial of an element of the base ring, or of a coefficient of flint."""
+        """Return the constant polynomial of an element of the base ring, or of a flint coefficient."""
         return self.context.constant(int(c) if self.characteristic else c)
 
     def constant_part(self, x: SparsePolynomial) -> Coefficient:
-        """Return the leading coefficient as an element of the base ring: for a constant, its value."""
+        """Return the leading coefficient as an element of the base ring; for a constant, this is
+        its value.
+        """
         c = x.leading_coefficient()  # 0 of the polynomial 0
         return self.base(int(c) if self.characteristic else c)
 
@@ -160,7 +162,7 @@ class PolynomialRing(Ring):
         )
 
     def inverse(self, x: SparsePolynomial) -> SparsePolynomial:
-        """Return 1/x of a constant. Raises :class:`NotInvertibleError` for all other polynomials."""
+        """Return 1/x for a constant x. Raises :class:`NotInvertibleError` for all other polynomials."""
         if not x.is_constant():
             raise NotInvertibleError(
                 f"{shorten(self.text(x))} is not constant, so it has no inverse in {self.name}"
@@ -171,7 +173,7 @@ class PolynomialRing(Ring):
             raise NotInvertibleError(f"{error}, nor in {self.name}") from None
 
     def divide(self, x: SparsePolynomial, y: SparsePolynomial) -> SparsePolynomial:
-        """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
+        """Return x/y if y divides x. Raises :class:`NotInvertibleError`."""
         if y == 0:
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         quotient, remainder = divmod(x, y)
@@ -184,14 +186,14 @@ class PolynomialRing(Ring):
     def euclid(
         self, x: SparsePolynomial, y: SparsePolynomial
     ) -> tuple[SparsePolynomial, SparsePolynomial]:
-        """Return quotient and remainder of polynomials in one variable over a field."""
+        """Return the quotient and the remainder of polynomials in one variable over a field."""
         if len(self.variables) > 1 or not self.base.is_field:
             return super().euclid(x, y)
         quotient, remainder = divmod(x, y)
         return quotient, remainder
 
     def power(self, x: SparsePolynomial, n: int) -> SparsePolynomial:
-        """Return xⁿ; n < 0 inverts first."""
+        """Return xⁿ; for n < 0, x is inverted first."""
         return polynomial_power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
     def sqrt(self, x: SparsePolynomial) -> SparsePolynomial | None:
@@ -206,7 +208,7 @@ class PolynomialRing(Ring):
 
     @property
     def level(self) -> Fact:
-        """The level of the base ring: setting all variables to 0 keeps a sum of squares."""
+        """The level of the base ring, because setting all variables to 0 preserves sums of squares."""
         known = self.base.level
         why = f"{known.reason}; setting all variables to 0 carries this from {self.base} to {self.name}"
         return Fact(known.value, why)
@@ -217,13 +219,15 @@ class PolynomialRing(Ring):
 
     @property
     def orderings(self) -> Fact:
-        """Infinitely many in characteristic 0, none else."""
+        """Infinitely many in characteristic 0, none otherwise."""
         if self.characteristic:
             return super().orderings
         return Fact(INFINITY, "each variable may be infinitely large or near any point")
 
     def sign(self, x: SparsePolynomial, ordering: int = 0) -> int:
-        """Return the sign in the ordering by leading coefficients, the first variable the largest."""
+        """Return the sign in the ordering by leading coefficients, where the first variable is the
+        largest.
+        """
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return self.base.sign(self.constant_part(x))
@@ -281,7 +285,7 @@ class PolynomialRing(Ring):
         return {name for name, n in zip(self.variables, x.degrees(), strict=True) if n > 0}
 
     def to_sympy(self, x: SparsePolynomial, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return the polynomial as an expression, multiplied out."""
+        """Return the polynomial as an expanded expression."""
         import sympy
 
         from hfield.fields.base.to_sympy import symbol
@@ -324,7 +328,7 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
 
 
 def flint_context(base: Ring, variables: tuple[str, ...]) -> SparseContext:
-    """Return what flint makes polynomials in these variables with, over ZZ, QQ or GF(p)."""
+    """Return flint's context for polynomials in these variables over ZZ, QQ or GF(p)."""
     order = flint.Ordering.deglex
     if base == ZZ:
         return flint.fmpz_mpoly_ctx.get(variables, order)
@@ -336,7 +340,7 @@ def flint_context(base: Ring, variables: tuple[str, ...]) -> SparseContext:
 
 
 class _Size:
-    """Bounds of the number of terms and the degree of the expansion of a text."""
+    """Bounds for the number of terms and the degree of the expansion of a text."""
 
     def __init__(self, variables: int) -> None:
         self.variables = variables

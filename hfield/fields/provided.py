@@ -1,6 +1,6 @@
 """The list of all kinds of fields with their theories, for the registry; each is imported on first use.
 
-A new kind of fields with places has an entry here.
+A new kind of field with places needs an entry here.
 """
 
 from __future__ import annotations
@@ -105,13 +105,13 @@ class _Functions:
         return shared(FunctionField, base, variable)
 
     def cosine_and_sine(self, ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
-        """Return cosine and sine of an angle, divided into equal parts, as elements of the ring."""
+        """Return the cosine and sine of an angle divided into equal parts, as elements of the ring."""
         from hfield.fields.circles.angles import cosine_and_sine_of
 
         return cosine_and_sine_of(ring, angle, parts)
 
     def rational_number(self, x: sympy.Expr) -> object | None:
-        """Return the rational number that an expression without symbols is, or None."""
+        """Return the rational number that an expression without symbols represents, or None."""
         from hfield.fields.algebraic.closed_forms import from_sympy
         from hfield.fields.algebraic.surds import Surd
 
@@ -119,13 +119,13 @@ class _Functions:
         return value.terms.get(1, 0) if isinstance(value, Surd) and value.is_rational() else None
 
     def algebraic_to_sympy(self, x: object) -> sympy.Expr | None:
-        """Return an element of RR or CC as an expression, None for other values."""
+        """Return an element of RR or CC as an expression; None for other values."""
         from hfield.fields.algebraic.closed_forms import to_sympy
 
         return to_sympy(x)
 
     def common_quadratic_field(self, *elements: object) -> Ring | None:
-        """Return ℚ(√d) for sums of rational numbers and multiples of √d, None where all are rational."""
+        """Return ℚ(√d) for sums of rational numbers and multiples of √d; None if all are rational."""
         from hfield.fields.number_fields.quadratic.ring import common_quadratic_field
 
         return common_quadratic_field(*elements)

@@ -1,4 +1,4 @@
-"""R[x]/(f) for a monic f over ℤ, ℚ or GF(p) that need not be irreducible: dual numbers, Gaussian integers."""
+"""R[x]/(f) for a monic f over ℤ, ℚ or GF(p), possibly reducible: dual numbers, Gaussian integers."""
 
 from __future__ import annotations
 
@@ -49,17 +49,17 @@ class QuotientRing(SimpleExtension):
 
     @property
     def data(self) -> dict[str, object]:
-        """The ring below, the polynomial, low degree first, and the name of the class of x."""
+        """The base ring, the polynomial (low degree first) and the name of the class of x, as JSON data."""
         return {**super().data, "kind": "quotient ring"}
 
     @property
     def variables(self) -> tuple[str, ...]:  # type: ignore[override]
-        """None: x has no values but roots of f."""
+        """None: x can only take roots of f as values."""
         return ()
 
     @property
     def fractions(self) -> Ring | None:
-        """ℚ(I), of the Gaussian integers."""
+        """ℚ(I), for the Gaussian integers."""
         if self.name != "ZZ[I]":
             return None
         from hfield.fields.number_fields.quadratic.ring import build as build_quadratic
@@ -71,7 +71,7 @@ class QuotientRing(SimpleExtension):
         return {} if self.gen_name == "I" else self.names()
 
     def closed_form(self, x: sympy.Expr) -> ExtensionElement:
-        """Return the element of a closed form: I where the ring has it, or a rational number. Raises
+        """Return the element of a closed form: I if the ring contains it, or a rational number. Raises
         :class:`CoercionError`.
         """
         import sympy
@@ -88,7 +88,7 @@ class QuotientRing(SimpleExtension):
         return polynomial_in(gen, (self.base.to_sympy(c, symbols) for c in x.coefficients))
 
     def _rows(self, x: ExtensionElement) -> list[list[Coefficient]]:
-        """Return the matrix of the multiplication by x over the fractions of R: columns are x·genⁿ."""
+        """Return the matrix of multiplication by x over the fractions of R; its columns are x·genⁿ."""
         F, out = self.base.fractions or self.base, []
         for _ in range(self.degree):
             out.append([F(c) for c in x.coefficients])
@@ -127,7 +127,7 @@ class QuotientRing(SimpleExtension):
         return super().level
 
     def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:
-        """Return a root of −1 that is known."""
+        """Return a known square root of −1."""
         return (self.gen,) if self.name == "ZZ[I]" else super().minus_one_as_squares()
 
     def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
@@ -142,7 +142,7 @@ def _gcd(a: int, b: int) -> int:
 
 
 def _back(base: Ring, c: Coefficient) -> Coefficient | None:
-    """Return an element of the field of fractions as one of R, or None."""
+    """Return an element of the field of fractions as an element of R, or None."""
     if base.is_field:
         return c
     return base(int(c.p)) if c.q == 1 else None

@@ -1,5 +1,5 @@
-"""Modules by their names in earlier versions, for pickles that name them.
+"""Modules under their names in earlier versions, for pickles that refer to them.
 
-This folder is on the path of the package :mod:`hfield`, so that its modules are imported as ``hfield.rings``,
+This folder is on the path of the package :mod:`hfield`, so its modules can be imported as ``hfield.rings``,
 ``hfield.quaternion`` and ``hfield.element_text``.
 """

@@ -1,4 +1,4 @@
-"""Functions to which pickles of version 0.2, of arrays of elements, refer."""
+"""Functions referred to by pickles of arrays of elements from version 0.2."""
 
 from typing import Any
 

@@ -1,7 +1,7 @@
-"""Former names of modules of :mod:`hfield.fields`, where ``hfield.rings`` of version 0.3 is now.
+"""Former names of modules of :mod:`hfield.fields`, which was ``hfield.rings`` in version 0.3.
 
-The names of ``hfield.rings`` work for one version with a warning. Its modules are named by the pickles of
-version 0.3, so these load without one.
+The names in ``hfield.rings`` still work for one version, with a warning. Pickles of version 0.3 refer to its
+modules, and load without a warning.
 """
 
 import sys
@@ -42,8 +42,8 @@ for _name, _target in MOVED.items():
 
 
 def __getattr__(name: str) -> object:
-    """Return a name of hfield.fields with a warning; ``ring`` is a name of hfield."""
-    if name.startswith("__"):  # what the import system reads of every module
+    """Return a name of hfield.fields with a warning; ``ring`` is a name of hfield itself."""
+    if name.startswith("__"):  # attributes that the import system reads from every module
         raise AttributeError(name)
     if name in MOVED:
         return sys.modules[f"{__name__}.{name}"]

@@ -1,4 +1,5 @@
-"""Units of norm 1 of orders that split at one real place as Fuchsian groups: domains, signatures, words.
+"""Groups of units of norm 1 of orders, as Fuchsian groups: domains, signatures, words.
 
-All is decided in exact numbers, as the plane lies in the algebra (``plane``). ``group`` is what a user holds.
+The order splits at one real place. Everything is decided with exact numbers, because the hyperbolic plane
+lies in the algebra (``plane``). The public classes are in ``group``.
 """

@@ -1,4 +1,4 @@
-"""Compute the area of the group of an order, and its numbers of elliptic points and cusps, by formulas."""
+"""Compute the area, the elliptic points and the cusps of the group of an order by formulas."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from hfield.orders.orders_at_primes import OrderAtPrime
 def area(order: LatticeValue) -> Fraction:
     """Return the area of the plane modulo the units of norm 1, in units of 2π.
 
-    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders over ℤ; for others by the local index of the units,
-    divided by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
+    For Eichler orders over ℤ this is Shimizu's formula φ(D)·ψ(N)/6. For others the local index of the units
+    is divided by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
     """
     base, whole = order.ambient.base, discriminant(order)
     found = abs(base.zeta_minus_one) * Fraction(4, 2**base.degree) * base.absolute_norm(whole)
@@ -76,8 +76,8 @@ def decides_traces(order: LatticeValue) -> bool:
 def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
     """Return whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
 
-    By strong approximation it does where ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits in its
-    field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).
+    By strong approximation it has one if and only if ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits
+    in its field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).
     """
     d = t * t - 4
     for p in factorise(int(fraction(order.ambient.discriminant))):

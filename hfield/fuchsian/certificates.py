@@ -1,4 +1,4 @@
-"""Write groups of units of norm 1, and their domains, as certificates ``hfield-cert/2``."""
+"""Write groups of units of norm 1 and their domains as certificates ``hfield-cert/2``."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 
 def of_domain(domain: Domain) -> CertifiedClaim:
-    """Return the certified claim that a domain has these sides, given by the units across them."""
+    """Return the certified claim that a domain has these sides, given by the units that pair them."""
     parts = [_joined([domain.center_element]), _joined(domain.polygon.units)]
     return domain.group.order.claim("dirichlet-domain", parts, {})
 
 
 def of_group(group: NormOneGroup, domain: Domain) -> CertifiedClaim:
-    """Return the signature and the presentation of a group; the domain shows them."""
+    """Return the signature and the presentation of a group; the domain is the evidence."""
     genus, orders, cusps = group.signature
     relations = ", ".join(" ".join(map(str, word)) for word in group.relations)
     parts = [

@@ -1,19 +1,20 @@
 """Optimal embeddings of quadratic orders in an order that acts on the hyperbolic plane, and CM points.
 
 An embedding of the quadratic order S of discriminant d is given by the image s of √d, an element of trace 0
-with s² = d. The images are the primitive elements of norm −d in the lattice Λ, the trace-0 part of R + 2O, R
-being the integers of the base (Voight, *Quaternion Algebras*, section 30.3). Where d is negative at the place
-that splits, such an s fixes a point of the plane, a CM point; where d is positive, s has an axis. Each orbit
-under the units of norm 1 has a point in a fundamental domain, or an axis that meets it. The domain is covered
-by balls. Around the point of c, an element of trace 0 and norm m > 0, and with ℓ = tr(s·conj(c))/2, the form
+with s² = d. The images are the primitive elements of norm −d in the lattice Λ, the trace-0 part of R + 2O,
+where R is the ring of integers of the base (Voight, *Quaternion Algebras*, section 30.3). If d is negative at
+the split place, s fixes a point of the plane, a CM point; if d is positive, s has an axis. Each orbit under
+the units of norm 1 has a point in a fundamental domain, or an axis that meets it. The domain is covered by
+balls. Consider the ball around the point of c, an element of trace 0 and norm m > 0, and let ℓ =
+tr(s·conj(c))/2. The form
 
     2·ℓ²/m − N(s)
 
-is positive definite at the place that splits; its value is |d|·cosh(2·δ), where δ is the distance of the
-point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the
-sum of all these is bounded on the ball, so the elements are enumerated, over ℤ by solving for one coordinate,
-and those that meet the domain are compared exactly. At a cusp the domain is cut: no such point or axis comes
-so near to it.
+is positive definite at the split place; its value is |d|·cosh(2·δ), where δ is the distance of the point or
+axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the sum of all
+these is bounded on the ball, so the elements can be enumerated; over ℤ one coordinate is solved for. Those
+that meet the domain are compared exactly. Cusps of the domain are cut off at a height that no such point or
+axis reaches.
 """
 
 from __future__ import annotations
@@ -73,10 +74,10 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class CMPoint:
-    """A point of the upper half plane that the image of a quadratic order of discriminant d fixes.
+    """A point of the upper half plane that is fixed by an embedded quadratic order of discriminant d.
 
-    ``element`` is the image of (t + √d)/2, t² ≡ d modulo 4, where over ℤ t is d. ``stabiliser`` is a unit
-    that generates, with −1, the units of norm 1 that fix the point.
+    ``element`` is the image of (t + √d)/2 with t² ≡ d modulo 4; over ℤ, t = d. ``stabiliser`` is a unit that
+    generates, with −1, the units of norm 1 that fix the point.
     """
 
     group: NormOneGroup
@@ -100,7 +101,7 @@ class CMPoint:
 
 
 class TraceZeroLattice:
-    """The trace-0 part of R + 2O for an order O over R, with the forms that balls need."""
+    """The trace-0 part of R + 2O for an order O over R, with the forms for the enumeration in balls."""
 
     def __init__(self, order: SplitOrder) -> None:
         self.order, self.ambient, self.base = order, order.order.ambient, order.base
@@ -119,32 +120,33 @@ class TraceZeroLattice:
 
     @cached_property
     def norms(self) -> fmpz_mat:
-        """The matrix of tr(x·conj(y)) on the rows, over ℤ."""
+        """The matrix of tr(x·conj(y)) on the basis, over ℤ."""
         one = self.base.element_of([fmpq(1)])
         return (self.rows * self.ambient.form(one) * self.rows.transpose()).numer_denom()[0]
 
     @cached_property
     def multiplications(self) -> list[fmpz_mat]:
-        """The matrices of the integral basis of R on the rows."""
+        """The matrices of multiplication by the integral basis of R on the lattice."""
         den = self.rows.numer_denom()[1]
         return multiplications(self.ambient, (self.rows * fmpq(den)).numer_denom()[0])
 
     def products(self, center: Quaternion) -> list[BaseNumber]:
-        """Return tr(s·conj(c))/2 for the basis, numbers of the field."""
+        """Return tr(s·conj(c))/2 for each basis element s, as numbers of the field."""
         scalar, bar = self.order.scalar, center.conjugate()
         return [scalar((s * bar).trace()) / 2 for s in self.basis]
 
     def number(self, values: Sequence[float]) -> BaseNumber:
-        """Return a number of the field with about these values at the real places."""
+        """Return a number of the field with approximately these values at the real places."""
         digits = np.linalg.solve(self._real.T, np.array(values))
         return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
 
 
 class Ball:
-    """A ball around the point of an element, with a definite form that is small at elements whose point or
-    axis meets the ball.
+    """A ball around the point of an element, with a definite form that is small on elements that meet the
+    ball.
 
-    ``gram`` is the matrix of the form in a reduced basis of the lattice, ``steps`` the change to this basis.
+    An element meets the ball if its fixed point or axis does. ``gram`` is the matrix of the form in a reduced
+    basis of the lattice, ``steps`` the change to this basis.
     """
 
     def __init__(self, lattice: TraceZeroLattice, center: Quaternion, radius: float) -> None:
@@ -176,7 +178,7 @@ class Ball:
             self._norms = norms if any(norms[n][n] for n in range(3)) else None
 
     def bound(self, norm: BaseNumber) -> int:
-        """Return a bound of the form at elements of given norm whose point or axis meets the ball."""
+        """Return a bound of the form on elements of given norm whose point or axis meets the ball."""
         order, base, bound = self.lattice.order, self.lattice.base, 0.0
         for v in base.real_places:
             n, weight, share = (base.real(x, v) for x in (norm, self._gamma, self._beta))
@@ -197,7 +199,7 @@ class Ball:
                 yield lattice.ambient.quaternion((vector * lattice.rows).entries())
 
     def _vectors(self, d: BaseNumber) -> Iterator[fmpz_mat]:
-        """Yield one of ±s, in coordinates, for each s with s² = d at which the form is at most the bound."""
+        """Yield one of ±s, in coordinates, for each s with s² = d on which the form is at most the bound."""
         bound, lattice = self.bound(-d), self.lattice
         if self._norms is not None:
             for found in vectors_of_value(
@@ -221,8 +223,8 @@ def roots(domain: Domain, d: BaseNumber) -> Iterator[tuple[Quaternion, Vector]]:
     """Yield pairs (s, v) that include all optimal embeddings whose point or axis meets a domain.
 
     s is the image of √d, and v is the vector of s in the plane of the domain. Only one of s and −s is
-    yielded. Where s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a
-    number of the field of the base. Raises :class:`TooLargeError`.
+    yielded; if s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a number
+    of the base field. Raises :class:`TooLargeError`.
     """
     seen = set()
     # a covering for a larger discriminant is one for d
@@ -235,9 +237,9 @@ def roots(domain: Domain, d: BaseNumber) -> Iterator[tuple[Quaternion, Vector]]:
 
 
 def discriminant(order: SplitOrder, d: object) -> tuple[BaseNumber, BaseNumber]:
-    """Return a discriminant as a number of the field of the base, and t with t² ≡ d modulo 4.
+    """Return a discriminant as a number of the base field, and t with t² ≡ d modulo 4.
 
-    Raises :class:`LatticeError` for what is not a discriminant of a quadratic order, or a square.
+    Raises :class:`LatticeError` for a square, or a number that is not the discriminant of a quadratic order.
     """
     x = order.scalar(order.algebra.ring(d))
     t = order.base.root_modulo_4(x)
@@ -251,9 +253,9 @@ def discriminant(order: SplitOrder, d: object) -> tuple[BaseNumber, BaseNumber]:
 
 
 def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
-    """Return the CM points of a totally negative discriminant d, one of each orbit, from left to right.
+    """Return the CM points of a totally negative discriminant d, one per orbit, from left to right.
 
-    Raises :class:`LatticeError` where d is no such discriminant, and :class:`TooLargeError`.
+    Raises :class:`LatticeError` if d is not such a discriminant, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
@@ -267,7 +269,7 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
 
 @lru_cache(maxsize=64)
 def _points(group: NormOneGroup, x: BaseNumber, t: BaseNumber) -> tuple[CMPoint, ...]:
-    """Return the CM points of a discriminant x ≡ t² modulo 4, numbers of the field of the base."""
+    """Return the CM points of a discriminant x ≡ t² modulo 4; x and t are numbers of the base field."""
     order, domain = group.order, group.domain()
     polygon, shift = domain.polygon, order.algebra(order.base.outside(t))
     found: list[CMPoint] = []
@@ -278,7 +280,7 @@ def _points(group: NormOneGroup, x: BaseNumber, t: BaseNumber) -> tuple[CMPoint,
         stabiliser = order.algebra(1)
         if any(
             dot(form, v) == 0 for form in polygon.forms
-        ):  # images on the boundary are no other points
+        ):  # images on the boundary are not new points
             images = orbit(polygon, s)
             seen.update(images.units)
             stabiliser = generator_of_rotations(polygon, images)
@@ -288,7 +290,7 @@ def _points(group: NormOneGroup, x: BaseNumber, t: BaseNumber) -> tuple[CMPoint,
 
 
 def reduced(domain: Domain, point: CMPoint) -> CMPoint:
-    """Return the image of a CM point, under a unit of norm 1, that lies in a domain."""
+    """Return the image of a CM point in a domain, under a unit of norm 1."""
     polygon = domain.polygon
     _, path = polygon.reduced(_on_sheet(polygon, point.root)[1])
     unit: Quaternion = domain.group.order.algebra(1)
@@ -301,16 +303,16 @@ def reduced(domain: Domain, point: CMPoint) -> CMPoint:
 
 
 def place(domain: Domain, point: CMPoint) -> complex:
-    """Return about where a CM point lies in Poincaré's disc around the centre of a domain."""
+    """Return the approximate position of a CM point in Poincaré's disc around the centre of a domain."""
     return domain.polygon.plane.disc(_on_sheet(domain.polygon, point.root)[1])
 
 
 def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, Prime | None]:
     """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4.
 
-    Or None, a reason, and a prime at which there is none, where one is known. It is sought near some points
-    first, and then in the whole domain. Raises :class:`LatticeError` where d is
-    no discriminant or a square, and :class:`TooLargeError`.
+    If there is none, return None, a reason, and a prime without a local embedding if one is known. The search
+    begins near some points and then covers the whole domain. Raises :class:`LatticeError` if d is a square or
+    not a discriminant, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
@@ -326,9 +328,9 @@ def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, P
 
 
 def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
-    """Return one embedding of each orbit under the units of norm 1.
+    """Return one embedding for each orbit under the units of norm 1.
 
-    Raises :class:`LatticeError` where d is no discriminant or a square, and :class:`TooLargeError`.
+    Raises :class:`LatticeError` if d is a square or not a discriminant, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
@@ -340,9 +342,9 @@ def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
 
 
 def _directed_axes(group: NormOneGroup, x: BaseNumber) -> Iterator[Quaternion]:
-    """Yield an image of √d for each orbit, of a discriminant d that is positive at the place that splits.
+    """Yield an image of √d for each orbit, for a discriminant d that is positive at the split place.
 
-    Of two opposite elements, which have one axis, each is in an orbit, perhaps in the same.
+    Two opposite elements have the same axis; they may lie in one orbit or in two.
     """
     domain = group.domain()
     seen: set[Vector] = set()
@@ -357,9 +359,9 @@ def _directed_axes(group: NormOneGroup, x: BaseNumber) -> Iterator[Quaternion]:
 
 
 def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
-    """Return the claim of the number of orbits of embeddings, with all orbits as evidence.
+    """Return the claim of the number of orbits of embeddings, with representatives of all orbits as evidence.
 
-    Raises :class:`LatticeError` over other bases than ℤ, and as :func:`of_orbits` does.
+    Raises :class:`LatticeError` over bases other than ℤ, and as :func:`of_orbits` does.
     """
     elements = of_orbits(group, d)
     if group.order.base.is_totally_positive(-discriminant(group.order, d)[0]):
@@ -371,7 +373,7 @@ def claim_of_orbits(group: NormOneGroup, d: object) -> CertifiedClaim:
 
 
 def _near_some_points(order: SplitOrder, d: BaseNumber) -> Iterator[Quaternion]:
-    """Yield images of √d whose point or axis meets a ball around one of some points of the plane."""
+    """Yield images of √d whose point or axis meets a ball around one of several points of the plane."""
     lattice, rng = TraceZeroLattice(order), random.Random(1)
     plane = Plane(order, next(free_centers(order)))
     for _ in range(TRIALS):
@@ -382,11 +384,11 @@ def _near_some_points(order: SplitOrder, d: BaseNumber) -> Iterator[Quaternion]:
 def _local_obstruction(
     order: SplitOrder, d: BaseNumber, t: BaseNumber
 ) -> tuple[str, Prime | None] | None:
-    """Return why a place rules an embedding out, with the prime that it is; None where no reason applies.
+    """Return why an embedding is impossible at some place, with the prime, or None if no obstruction applies.
 
-    Where the algebra ramifies at P the quadratic field must not split, and an Eichler order has no
-    embedding of an order that is not maximal at P. Where Pᵉ divides the level, d is the square of a
-    difference modulo 4·Pᵉ, which is decided for e = 1 and over ℤ.
+    If the algebra ramifies at P, the quadratic field must not split there, and an Eichler order has no
+    embedding of a quadratic order that is not maximal at P. If Pᵉ divides the level, d must be the square of
+    a difference modulo 4·Pᵉ; this is decided for e = 1, and over ℤ for all e.
     """
     base, value = order.base, order.order
     if any(base.sign(d, v) > 0 for v in value.ambient.ramified_real_places):
@@ -414,9 +416,9 @@ def _local_obstruction(
 
 
 def involution(group: NormOneGroup, m: int, point: CMPoint) -> CMPoint:
-    """Return the image of a CM point under an Atkin–Lehner involution, among those of :func:`cm_points`.
+    """Return the image of a CM point under an Atkin–Lehner involution, as one of :func:`cm_points`.
 
-    Raises :class:`LatticeError` where m is not an exact divisor of the discriminant of an Eichler order.
+    Raises :class:`LatticeError` unless m is an exact divisor of the discriminant of an Eichler order.
     """
     polygon, w = group.domain().polygon, _normalising(group, m)
     image = w * point.root * w.inverse()
@@ -428,9 +430,9 @@ def involution(group: NormOneGroup, m: int, point: CMPoint) -> CMPoint:
 
 
 def fixed_points(group: NormOneGroup, m: int) -> tuple[CMPoint, ...]:
-    """Return the CM points that an Atkin–Lehner involution with m > 1 fixes (A. Ogg, 1983).
+    """Return the CM points fixed by an Atkin–Lehner involution with m > 1 (A. Ogg, 1983).
 
-    Their discriminants are −4m, −m, and −4 where m is 2: elements of norm m that fix a point have the trace
+    Their discriminants are −4m, −m, and −4 if m = 2, because elements of norm m that fix a point have trace
     0, 2 or 3.
     """
     discriminants = [-4 * m] + [-m] * (m % 4 == 3) + [-4] * (m == 2)
@@ -446,7 +448,7 @@ def _normalising(group: NormOneGroup, m: int) -> Quaternion:
 
 
 def _on_sheet(polygon: Polygon, s: Quaternion) -> tuple[Quaternion, Vector]:
-    """Return s or −s with its vector, that on the sheet of the centre."""
+    """Return the one of s and −s on the sheet of the centre, with its vector."""
     v = polygon.plane.vector(s)
     if polygon.plane.order.sign(v[0]) < 0:
         return -s, (-v[0], -v[1], -v[2])
@@ -460,7 +462,7 @@ def covering(domain: Domain, exponent: int) -> list[Ball]:
     """Return balls that cover a domain.
 
     A neighbourhood of each cusp is left out. It contains no fixed point of a primitive element of the lattice
-    of norm up to 2 to the exponent. Raises :class:`TooLargeError`.
+    of norm up to 2 to the power of ``exponent``. Raises :class:`TooLargeError`.
     """
     has_cusps = any(cycle.order == 0 for cycle in domain.cycles)
     return _covering(domain, exponent if has_cusps else 0)
@@ -499,7 +501,7 @@ def _covering(domain: Domain, exponent: int) -> list[Ball]:
                 f"the domain is so large that more than {MAX_BALLS} balls would cover it"
             )
         disc = complex(*center) / (1 + math.sqrt(1 - abs(complex(*center)) ** 2))
-        # with bits enough to come nearer to the point than that is to the circle
+        # with enough bits to come closer to the point than the point is to the circle
         c = plane.nearby(disc, 20 - math.floor(math.log2(1 - abs(complex(*center)) ** 2)))
         x, y, z = plane.floats(plane.vector(c))
         middles.append((y / x, z / x))
@@ -512,12 +514,13 @@ def _covering(domain: Domain, exponent: int) -> list[Ball]:
 def _corner(
     domain: Domain, lattice: TraceZeroLattice, size: float, n: int
 ) -> tuple[Point, float | None]:
-    """Return a corner of the domain; with what cuts it off where it is a cusp."""
+    """Return a corner of the domain; for a cusp, the points at which the cusp is cut off."""
     plane, start = domain.polygon.plane, domain.polygon.starts[n]
     x, y, z = plane.floats(start)
     if plane.order.sign(plane.norm(start)) != 0:
         return (y / x, z / x), None
-    # for a null vector ν, tr(s·conj(ν))/2 is a nonzero multiple of g where s fixes a point; the base is ℤ
+    # if s fixes a point and ν is a null vector, tr(s·conj(ν))/2 is a nonzero multiple of g; the
+    # base is ℤ
     null = sum((e * c for e, c in zip(plane.axes, start, strict=True)), 0 * plane.center)
     whole, below = fmpq_mat([lattice.products(null)]).numer_denom()
     g = fmpq(math.gcd(*map(int, whole.entries())), int(below))
@@ -528,7 +531,7 @@ def _corner(
 
 
 def _before(cusp: Point, height: float, start: Point) -> Point:
-    """Return the point on the line from a point to a cusp at which the horoball begins."""
+    """Return the point at which the line from a point to a cusp enters the horoball."""
     product = 1 - start[0] * cusp[0] - start[1] * cusp[1]
     norm = 1 - start[0] ** 2 - start[1] ** 2
     if norm <= 0:  # from another cusp: from the middle
@@ -542,7 +545,7 @@ def _before(cusp: Point, height: float, start: Point) -> Point:
 
 
 def _halves(triangle: tuple[Point, Point, Point]) -> list[tuple[Point, Point, Point]]:
-    """Return two halves of a triangle, cut at its longest side."""
+    """Return the two halves of a triangle, cut at its longest side."""
     k = max(range(3), key=lambda n: _distance(triangle[n], triangle[(n + 1) % 3]))
     p, q, r = triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]
     middle = _middle(p, q)
@@ -550,15 +553,15 @@ def _halves(triangle: tuple[Point, Point, Point]) -> list[tuple[Point, Point, Po
 
 
 def _middle(p: Point, q: Point) -> Point:
-    """Return the middle of two points in the hyperbolic metric."""
+    """Return the hyperbolic midpoint of two points."""
     a, b = (1 / math.sqrt(1 - x * x - y * y) for x, y in (p, q))
     return ((a * p[0] + b * q[0]) / (a + b), (a * p[1] + b * q[1]) / (a + b))
 
 
 def _distance(p: Point, q: Point) -> float:
-    """Return at least the distance of two points of Klein's disc, and not much more.
+    """Return a close upper bound for the distance of two points of Klein's disc.
 
-    Raises :class:`TooLargeError` for points so far out that floats do not tell where they are.
+    Raises :class:`TooLargeError` for points so close to the circle that floats cannot separate them from it.
     """
     product = 1 - p[0] * q[0] - p[1] * q[1]
     a, b = 1 - p[0] ** 2 - p[1] ** 2, 1 - q[0] ** 2 - q[1] ** 2

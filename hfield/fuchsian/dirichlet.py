@@ -1,10 +1,11 @@
-"""Dirichlet domains of the units of norm 1 of an order, found by search and then proved to be complete.
+"""Dirichlet domains of the units of norm 1 of an order, found by a float search and then proved complete.
 
-Elements are sought, and reduced by one another, in floats (``search``, ``side_search``), until they seem to
-bound a polygon of finite area whose sides are paired. Then all is decided exactly. The points nearer to the
-centre than to its images under these units are a polygon that contains the true domain. By Poincaré's theorem
-its area is the sum of its exact angles, and the formula says what that of the true domain is: where they
-agree, it is the true one (Voight, *J. Théor. Nombres Bordeaux* 21, 2009; Page; Rickards).
+Elements are searched for, and reduced by one another, in floats (``search``, ``side_search``), until they
+seem to bound a polygon of finite area with paired sides. Then everything is decided exactly. The points that
+are nearer to the centre than to its images under these units form a polygon that contains the true domain. By
+Poincaré's theorem its area follows from its exact angles. If it equals the area that the formula gives for
+the true domain, the polygon is the true domain (Voight, *J. Théor. Nombres Bordeaux* 21, 2009; Page;
+Rickards).
 """
 
 from __future__ import annotations
@@ -43,9 +44,9 @@ DEEPEST = 1e6
 
 @dataclass(frozen=True)
 class VertexCycle:
-    """A vertex up to the group: the sides that lead around it, in order, and its stabiliser's order.
+    """A vertex up to the group: the sides that lead around it, in order, and the order of its stabiliser.
 
-    ``order`` is 0 at a cusp. ``start`` is the vertex where it begins.
+    ``order`` is 0 at a cusp. ``start`` is the first vertex of the cycle.
     """
 
     start: int
@@ -64,12 +65,12 @@ def domain(
     given: Rows | None = None,
     stabiliser: Quaternion | None = None,
 ) -> Found:
-    """Return the domain around a point, the partners of sides, cycles of vertices.
+    """Return the domain around a point, the partners of its sides, and its cycles of vertices.
 
-    ``given`` are coordinates of units that are known from elsewhere. Where units other than ±1 fix the point,
-    ``stabiliser`` generates them with −1, and the domain is a sector.
+    ``given`` are the coordinates of units already known. If units other than ±1 fix the point, ``stabiliser``
+    is one that generates them with −1, and the domain is a sector.
 
-    Raises :class:`TooLargeError` where the search does not find enough units.
+    Raises :class:`TooLargeError` if the search does not find enough units.
     """
     plane = Plane(order, center)
     sight, turns = Sight(plane), 1
@@ -104,9 +105,9 @@ def domain(
 
 
 def order_above(order: SplitOrder) -> SplitOrder | None:
-    """Return a maximal order above one over ℤ of large index that is not Eichler; None for others.
+    """Return a maximal order above a non-Eichler order over ℤ of large index; None for other orders.
 
-    Raises :class:`TooLargeError` where the index is very large, or what would be searched.
+    Raises :class:`TooLargeError` if the index or the search space is too large.
     """
     found, index = None, Fraction(1)
     if order.base.is_rational and not is_eichler(order.order):
@@ -128,16 +129,16 @@ def order_above(order: SplitOrder) -> SplitOrder | None:
 
 
 def generators_by_cosets(order: SplitOrder, above: SplitOrder) -> Rows:
-    """Return units that generate the group of an order in a maximal one, in coordinates of the smaller.
+    """Return generators of the group of an order in a maximal one, in coordinates of the smaller order.
 
-    The images of the larger group's domain under representatives of the cosets are a domain of the smaller
-    one, and what carries one of them to a neighbour of another generates it (Schreier).
+    The images of the larger group's domain under coset representatives form a domain of the smaller group.
+    The elements that map one of these images to a neighbour of another generate the smaller group (Schreier).
     """
     polygon, _, _ = domain(above, next(free_centers(above)), above.area())
     sight = Sight(polygon.plane)
     sides = np.array(above.rows(polygon.units))
     right = np.einsum("nj,ijk->nik", sides, sight.products)  # x ↦ x·s
-    # an element with these coordinates is in the order where row·inside is 0 modulo the denominator
+    # an element with these coordinates is in the order if row·inside is 0 modulo the denominator
     whole, denominator = fmpz_mat(above.rows(list(order.basis))).inv().numer_denom()
     entries = [[int(c) for c in row] for row in whole.tolist()]
     inside, modulus = np.array(entries, dtype=np.int64), int(denominator)
@@ -165,10 +166,10 @@ def generators_by_cosets(order: SplitOrder, above: SplitOrder) -> Rows:
 
 
 def places(shape: Shape, area: float, rng: np.random.Generator) -> Points:
-    """Return points in a polygon, in Poincaré's disc, near which to search for further units.
+    """Return points of a polygon, in Poincaré's disc, near which to search for further units.
 
-    Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside
-    the polygon tells nothing new.
+    They lie where the polygon reaches the circle, at a depth at which there are such units, and some are
+    spread evenly over the polygon. Points outside the polygon would give nothing new.
     """
     start, width = shape.gaps()
     times = 2 + min(int(area), 64) // max(1, len(width))  # the last ones are hard to close
@@ -184,9 +185,10 @@ def places(shape: Shape, area: float, rng: np.random.Generator) -> Points:
 
 
 def proof(found: Polygon, area: Fraction, rotation: Quaternion | None = None) -> Found | None:
-    """Return a polygon, the partners of sides and the cycles of vertices, where it is the whole domain.
+    """Return the polygon, the partners of its sides and its cycles of vertices, if it is the whole domain.
 
-    Where units fix the centre, it is a sector, ``rotation`` being the one about the least angle.
+    If units fix the centre, the domain is a sector, and ``rotation`` is the unit that turns by the least
+    angle.
     """
     if not found.is_closed():
         return None
@@ -203,7 +205,7 @@ def proof(found: Polygon, area: Fraction, rotation: Quaternion | None = None) ->
 
 
 def paired(found: Polygon) -> list[int] | None:
-    """Return the partner of each side of a closed polygon, or None where a side is not mapped to a side."""
+    """Return the partner of each side of a closed polygon, or None if some side is not mapped to a side."""
     partners = []
     for n in range(len(found.units)):
         partner = found.partner(n)
@@ -219,8 +221,8 @@ def paired(found: Polygon) -> list[int] | None:
 def cycles_of(found: Polygon, partners: list[int]) -> list[VertexCycle]:
     """Return the vertex cycles of the side pairing, with checked angle sums.
 
-    Around a vertex of the plane the angles have the sum 2π/order, the condition of Poincaré's theorem; at a
-    cusp what goes around is parabolic.
+    Around a vertex of the plane the angles sum to 2π/order, the condition of Poincaré's theorem; at a cusp
+    the product around the cycle is parabolic.
     """
     left = set(range(len(partners)))
     cycles = []
@@ -246,10 +248,10 @@ def cycles_of(found: Polygon, partners: list[int]) -> list[VertexCycle]:
 
 
 def rotation_order(order: SplitOrder, g: Quaternion) -> int:
-    """Return the order, up to numbers, of an element that fixes a point; 0 for a parabolic one.
+    """Return the order modulo scalars of an element that fixes a point; 0 for a parabolic element.
 
-    Raises :class:`ArithmeticError` for a hyperbolic one. The trace of g is 2·cos, and lies in the field,
-    which bounds the order m: the cosine of 2π/m generates a field of degree φ(m)/2.
+    Raises :class:`ArithmeticError` for a hyperbolic element. The trace of g is a multiple of a cosine and
+    lies in the field. This bounds the order m, because the cosine of 2π/m generates a field of degree φ(m)/2.
     """
     if g == g.conjugate():
         return 1
@@ -267,6 +269,6 @@ def rotation_order(order: SplitOrder, g: Quaternion) -> int:
 
 
 def area_of(partners: list[int], cycles: list[VertexCycle]) -> Fraction:
-    """Return the area of a paired polygon by Gauss and Bonnet, in units of 2π."""
+    """Return the area of a polygon with paired sides, by Gauss and Bonnet, in units of 2π."""
     angles = sum((Fraction(1, c.order) for c in cycles if c.order), Fraction(0))
     return Fraction(len(partners) - 2, 2) - angles

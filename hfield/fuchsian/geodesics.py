@@ -1,11 +1,11 @@
-"""Conjugacy in a group of units of norm 1, centralisers, and the closed geodesics of its quotient.
+"""Conjugacy and centralisers in a group of units of norm 1, and closed geodesics of its quotient.
 
-An element x off the field fixes a point of the plane or an axis, that of its part v of trace 0. Its
-conjugates whose point or axis meets a Dirichlet domain are finitely many, and one goes from each to all
-others across the sides that the point or axis meets: two elements are conjugate exactly where they have one
-of these in common, and what leads around generates the centraliser. All this is exact. Closed geodesics of
-up to a length are among the units that carry the centre not too far, which are enumerated tile by tile, in
-floats with a margin, and then distinguished exactly.
+An element x that is not a scalar fixes a point of the plane or an axis, that of its part v of trace 0. Only
+finitely many of its conjugates have a point or axis that meets a Dirichlet domain. One reaches them all from
+one of them across the sides that the point or axis meets. So two elements are conjugate if and only if they
+share one of these conjugates, and the closed paths generate the centraliser. All this is exact. Closed
+geodesics up to a given length come from units that move the centre by a bounded distance. These units are
+enumerated tile by tile, in floats with a margin, and then compared exactly.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ MARGIN = 1e-6
 
 
 class Geodesic(NamedTuple):
-    """A closed geodesic of the quotient, once around, without direction.
+    """A closed geodesic of the quotient, traversed once, without direction.
 
-    ``element`` is a unit that moves along it, ``length`` is about 2·arccosh(\\|trace\\|/2).
+    ``element`` is a unit that translates along it, ``length`` is approximately 2·arccosh(\\|trace\\|/2).
     """
 
     length: float
@@ -46,9 +46,10 @@ class Geodesic(NamedTuple):
 
 @dataclass(frozen=True)
 class Orbit:
-    """The conjugates of an element that meet a domain, by their vectors, and by which units.
+    """The conjugates of an element that meet a domain, by their vectors, with the conjugating units.
 
-    ``around`` are units that commute with the element; with −1 they generate all of norm 1 that do.
+    ``around`` are units that commute with the element; with −1 they generate its centraliser in the units of
+    norm 1.
     """
 
     units: dict[Vector, Quaternion]
@@ -58,7 +59,7 @@ class Orbit:
 def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
     """Return the conjugates of x that meet a domain.
 
-    Raises :class:`LatticeError` for a number, a parabolic element and an axis that ends at cusps, and
+    Raises :class:`LatticeError` for a scalar, a parabolic element, and an axis that ends at cusps, and
     :class:`TooLargeError`.
     """
     v = polygon.plane.vector(x - x.trace() / 2)
@@ -92,12 +93,12 @@ def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
 
 
 def stabiliser(polygon: Polygon, x: Quaternion) -> Quaternion:
-    """Return a unit that generates, with −1, the units of norm 1 that fix the point that x fixes."""
+    """Return a unit that generates, with −1, the units of norm 1 with the fixed point of x."""
     return generator_of_rotations(polygon, orbit(polygon, x))
 
 
 def generator_of_rotations(polygon: Polygon, images: Orbit) -> Quaternion:
-    """Return the unit of the greatest order among those that fix a point, or 1."""
+    """Return the unit of greatest order among those that fix a point, or 1."""
     order = polygon.plane.order
     return max(images.around, key=lambda u: rotation_order(order, u), default=order.algebra(1))
 
@@ -113,7 +114,7 @@ def _point(polygon: Polygon, v: Vector, sign: int) -> Vector:
 
 
 def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
-    """Yield the closed sides that the axis meets, or that contain the point of the domain."""
+    """Yield the closed sides that the axis meets, or on which the fixed point in the domain lies."""
     if sign > 0:
         yield from (n for n, form in enumerate(polygon.forms) if dot(form, v) == 0)
         return
@@ -129,7 +130,7 @@ def axis_meets(polygon: Polygon, v: Vector) -> bool:
 
 
 def conjugating_unit(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
-    """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``, or None where there is none."""
+    """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``, or None if there is none."""
     if x == y:
         found: Quaternion = x.algebra(1)
         return found
@@ -145,7 +146,8 @@ def conjugating_unit(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaterni
 def fundamental_unit(polygon: Polygon, x: Quaternion) -> Quaternion:
     """Return the unit that generates, with −1, the units of norm 1 that commute with a hyperbolic element.
 
-    Of it and its inverse and their negatives, one of positive trace. Raises :class:`LatticeError`.
+    The unit, its inverse and their negatives all qualify; one of positive trace is returned. Raises
+    :class:`LatticeError`.
     """
     order = polygon.plane.order
     if order.sign(order.scalar(x.trace() * x.trace() - 4 * x.norm())) <= 0:
@@ -169,9 +171,9 @@ def fundamental_unit(polygon: Polygon, x: Quaternion) -> Quaternion:
 
 
 def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
-    """Return the closed geodesics of up to a length, by their lengths.
+    """Return the closed geodesics up to a given length, ordered by length.
 
-    Raises :class:`LatticeError` where there are cusps, and :class:`TooLargeError`.
+    Raises :class:`LatticeError` if there are cusps, and :class:`TooLargeError`.
     """
     polygon, order = domain.polygon, domain.group.order
     if any(cycle.order == 0 for cycle in domain.cycles):
@@ -192,16 +194,16 @@ def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
 
 
 def _axis(v: Vector) -> Vector:
-    """Return what multiples of a vector have in common."""
+    """Return a normal form that is the same for all multiples of a vector."""
     first = next(c for c in v if c != 0)
     return (v[0] / first, v[1] / first, v[2] / first)
 
 
 def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
-    """Return hyperbolic units by trace, including all up to a length whose axes meet the domain.
+    """Return hyperbolic units by trace, including all those up to a length whose axes meet the domain.
 
-    A geodesic from a point of the domain to its image is in tiles whose centres are no farther from the
-    centre than its length and two radii of the domain.
+    A geodesic from a point of the domain to its image lies in tiles whose centres are at most its length plus
+    twice the radius of the domain away from the centre.
     """
     plane, order = domain.polygon.plane, domain.group.order
     sight = Sight(plane)
@@ -221,7 +223,7 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
         size = 2 * abs(a.real)
         right = (size > 2 - MARGIN) & (size < bound)
         rows, a, b = rows[right], a[right], b[right]
-        # the axis of g is where the plane's form, of g − conj(g), is 0
+        # on the axis of g, the plane's form of g − conj(g) is 0
         value = a.imag[:, None] + (b[:, None] * klein.conj()).imag
         near = (value.min(axis=1) < MARGIN) & (value.max(axis=1) > -MARGIN)
         chosen += rows[near].tolist()
@@ -235,7 +237,7 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
 
 
 def _tiles(sight: Sight, sides: Rows, reach: float) -> Iterator[Rows]:
-    """Yield the units that move the centre up to a distance, given by its cosine, in steps across sides."""
+    """Yield the units that move the centre by a bounded distance, given by its cosh, going across sides."""
     right = np.einsum("nj,ijk->nik", sides, sight.products)
     identity = np.array(sight.plane.order.rows([sight.plane.order.algebra(1)]))
     rows, seen = identity, {tuple(identity[0].tolist())}

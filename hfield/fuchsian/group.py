@@ -1,4 +1,4 @@
-"""The group of units of norm 1 of an order that acts on the hyperbolic plane, as a user holds it."""
+"""The group of units of norm 1 of an order that acts on the hyperbolic plane: the public classes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 class Signature(NamedTuple):
-    """The signature of the quotient: genus, ascending orders of the elliptic points, number of cusps."""
+    """The signature of the quotient: genus, orders of the elliptic points (ascending), number of cusps."""
 
     genus: int
     orders: tuple[int, ...]
@@ -64,10 +64,10 @@ def _signature(area: Fraction, orders: tuple[int, ...], cusps: int) -> Signature
 
 
 class QuotientOrbifold(NamedTuple):
-    """The plane modulo a group between the units of norm 1 and the normaliser of an order.
+    """The quotient of the plane by a group between the units of norm 1 and the normaliser of an order.
 
-    ``elements`` has for each norm an element of the normaliser: these represent the larger group modulo the
-    smaller and the numbers of the field.
+    ``elements`` maps each norm to an element of the normaliser; these represent the larger group modulo the
+    smaller group and the scalars.
     """
 
     signature: Signature
@@ -77,7 +77,7 @@ class QuotientOrbifold(NamedTuple):
 
 @dataclass(frozen=True)
 class Side:
-    """A side of a domain: ``element`` maps it onto the side number ``partner``, perhaps itself."""
+    """A side of a domain: ``element`` maps it onto side number ``partner``, which may be itself."""
 
     element: Quaternion
     partner: int
@@ -85,9 +85,9 @@ class Side:
 
 @dataclass(frozen=True, repr=False)
 class Domain(Certified):
-    """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
+    """A Dirichlet domain, proved complete: the points nearer to a centre than to its images.
 
-    Sides and vertices go counterclockwise; side n goes from vertex n to the next.
+    Sides and vertices are listed counterclockwise; side n goes from vertex n to the next vertex.
     """
 
     group: NormOneGroup
@@ -100,25 +100,25 @@ class Domain(Certified):
 
     @property
     def claim(self) -> CertifiedClaim:
-        """The claim of the sides of the domain, with its evidence."""
+        """The claim that the domain has these sides, with its evidence."""
         from hfield.fuchsian import certificates
 
         return certificates.of_domain(self)
 
     @cached_property
     def sides(self) -> tuple[Side, ...]:
-        """The sides, each with the unit that maps it onto its partner."""
+        """The sides, each with the unit that maps it to its partner."""
         units = (unit.conjugate() for unit in self.polygon.units)
         return tuple(map(Side, units, self.partners))
 
     @cached_property
     def vertices(self) -> tuple[complex, ...]:
-        """Floats for the vertices in Poincaré's disc around the centre; cusps are on its circle."""
+        """The vertices in Poincaré's disc around the centre, as complex floats; cusps lie on the circle."""
         return tuple(map(self.polygon.plane.disc, self.polygon.starts))
 
     @property
     def center_element(self) -> Quaternion:
-        """The exact centre: the element of trace 0 that fixes it."""
+        """The exact centre, as an element of trace 0 that fixes it."""
         return self.polygon.plane.center
 
     @property
@@ -128,10 +128,10 @@ class Domain(Certified):
 
     @property
     def stabiliser(self) -> Quaternion:
-        """The generator, with −1, of the units of norm 1 that fix the centre: 1 or the least rotation.
+        """The unit that generates, with −1, the units of norm 1 that fix the centre: 1 or the least rotation.
 
-        It turns counterclockwise, by 2π divided by its order modulo ±1, and maps the first side of the sector
-        to the last.
+        It turns counterclockwise by 2π divided by its order modulo ±1, and maps the first side of the sector
+        to the last one.
         """
         last, one = self.polygon.units[-1], self.group.order.algebra(1)
         return last if self.polygon.images[-1] == self.polygon.plane.image(one) else one
@@ -144,9 +144,9 @@ class Domain(Certified):
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
     def reduce(self, point: CMPoint) -> CMPoint:
-        """Return the image of a CM point, under a unit of norm 1, that lies in the domain.
+        """Return the image of a CM point in the domain, under a unit of norm 1.
 
-        Different images in the domain lie on its boundary.
+        If there are several images in the domain, they lie on its boundary.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
@@ -168,13 +168,13 @@ class Domain(Certified):
         depth: int | None = None,
         replace: bool | None = None,
     ) -> None:
-        """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
+        """Draw the domain and its images under words of up to ``depth`` sides, to a .svg, .png or .pdf file.
 
-        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. CM points
-        are moved into the domain, and have one colour for each discriminant. To a file .html, a page on which
-        the centre is dragged. ``replace`` says whether a file of that name may be replaced; None: if it is
-        there before the drawing begins. Raises :class:`hfield.errors.LatticeError` where the file cannot be
-        written.
+        Paired sides share a colour and a letter; elliptic points and the centre are marked. CM points are
+        moved into the domain, with one colour per discriminant. A .html file becomes a page on which the
+        centre can be dragged. ``replace`` says whether an existing file may be replaced; with None it may be
+        replaced if it existed before drawing began. Raises :class:`hfield.errors.LatticeError` if the file
+        cannot be written.
         """
         if str(path).endswith(".html"):
             from hfield.fuchsian.page import write
@@ -192,7 +192,7 @@ class Domain(Certified):
 
 
 class NormOneGroup(Certified, Hinted):
-    """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
+    """The units of norm 1 of an order, modulo ±1: a discrete group of motions of the hyperbolic plane.
 
     >>> from hfield import QuaternionAlgebra
     >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
@@ -221,10 +221,11 @@ class NormOneGroup(Certified, Hinted):
 
     @cached_property
     def signature(self) -> Signature:
-        """Genus, orders of the elliptic points, and cusps, counted at the domain.
+        """Genus, orders of the elliptic points, and number of cusps, computed from the domain.
 
-        Formulas for Eichler orders, by optimal embeddings, give them where the area is above 2π·200.
-        Over ℚ and quadratic fields they are compared with every domain, and this raises unless they agree.
+        For Eichler orders with an area above 2π·200, formulas with optimal embeddings are used instead. Over
+        ℚ and quadratic fields the formulas are compared with every computed domain, and a difference raises
+        an error.
         """
         if self.area > MAX_AREA_OF_CENTERS and (found := self._signature_by_formulas()) is not None:
             return found
@@ -242,7 +243,7 @@ class NormOneGroup(Certified, Hinted):
 
     @property
     def claim(self) -> CertifiedClaim:
-        """Signature and presentation, as a statement with its evidence: the domain."""
+        """The claim of signature and presentation, with the domain as evidence."""
         from hfield.fuchsian import certificates
 
         return certificates.of_group(self, self._domain)
@@ -250,14 +251,14 @@ class NormOneGroup(Certified, Hinted):
     # --- the domain --------------------------------------------------------------------------------
 
     def domain(self, center: complex | CMPoint | None = None) -> Domain:
-        """Return the Dirichlet domain around a point, by default one with a small c in the order.
+        """Return the Dirichlet domain around a point, by default around one with a small c in the order.
 
-        ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
-        one of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point is the
-        centre itself. Where its stabiliser has order m > 1 modulo ±1, the domain is a sector of angle 2π/m of
-        the Dirichlet polygon: ``D.stabiliser`` maps one of the two sides at the centre to the other. Raises
-        :class:`LatticeError`.
+        ``center`` is a complex number of the upper half plane, on which i and j act as real matrices; one of
+        the two with positive square acts as a diagonal matrix. The actual centre, ``D.center``, is a nearby
+        point that is fixed by an element of trace 0 and by no unit other than ±1. A CM point is used as the
+        centre itself. If its stabiliser has order m > 1 modulo ±1, the domain is a sector of angle 2π/m of
+        the Dirichlet polygon, and ``D.stabiliser`` maps one of its two sides at the centre to the other.
+        Raises :class:`LatticeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
@@ -298,14 +299,14 @@ class NormOneGroup(Certified, Hinted):
 
     @cached_property
     def _above(self) -> SplitOrder | None:
-        """A maximal order above this order, if the index is so large that its domain is used."""
+        """A maximal order above this order whose domain is used, if the index is large enough."""
         from hfield.fuchsian import dirichlet
 
         return dirichlet.order_above(self.order)
 
     @cached_property
     def _known(self) -> Rows | None:
-        """Coordinates of generators of the group of that order, in the same case."""
+        """Coordinates of generators of this order's group, computed from the domain of that maximal order."""
         from hfield.fuchsian import dirichlet
 
         return (
@@ -323,7 +324,7 @@ class NormOneGroup(Certified, Hinted):
         return Domain(self, found, tuple(partners), tuple(cycles))
 
     def _stabiliser(self, c: Quaternion) -> Quaternion:
-        """Return a unit that generates, with −1, those of norm 1 that fix the point of an element."""
+        """Return a unit that generates, with −1, the units of norm 1 with the fixed point of c."""
         from hfield.fuchsian import geodesics
 
         return geodesics.stabiliser(self._domain.polygon, c)
@@ -348,10 +349,10 @@ class NormOneGroup(Certified, Hinted):
     # --- closed geodesics --------------------------------------------------------------------------
 
     def traces(self, most: int) -> tuple[int, ...]:
-        """Return the traces t, 2 < t ≤ most, of hyperbolic elements, up to the sign.
+        """Return the traces t of hyperbolic elements with 2 < t ≤ most, up to sign.
 
-        A closed geodesic of the quotient that belongs to one has the length 2·arccosh(t/2). Raises
-        :class:`LatticeError` for all but Eichler orders over ℤ, :class:`TooLargeError` for a large ``most``.
+        A closed geodesic of trace t has the length 2·arccosh(t/2). Raises :class:`LatticeError` except for
+        Eichler orders over ℤ, and :class:`TooLargeError` for a large ``most``.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 11]).eichler_order(3).norm_one_group()
@@ -371,9 +372,9 @@ class NormOneGroup(Certified, Hinted):
 
     @property
     def systole(self) -> float:
-        """About the length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t.
+        """The approximate length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t.
 
-        Raises :class:`LatticeError` for orders that are not Eichler, with cusps.
+        Raises :class:`LatticeError` for a non-Eichler order with cusps.
         """
         if not area.decides_traces(self.order.order):
             length = 1.0
@@ -388,8 +389,8 @@ class NormOneGroup(Certified, Hinted):
     def geodesics(self, length: float) -> tuple[Geodesic, ...]:
         """Return the primitive closed geodesics of the quotient up to a length, ordered by length.
 
-        Each has a unit that translates along it. A length occurs once for each geodesic of this length.
-        Raises :class:`LatticeError` if there are cusps, and :class:`TooLargeError`.
+        Each geodesic has a unit that translates along it. If several geodesics have the same length, all are
+        listed. Raises :class:`LatticeError` if there are cusps, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
@@ -403,9 +404,9 @@ class NormOneGroup(Certified, Hinted):
     def conjugator(self, x: object, y: object) -> Quaternion | None:
         """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``; None if there is none.
 
-        So it is decided whether embeddings of a quadratic order, given by the images of a generator,
-        are conjugate. Raises :class:`LatticeError` for parabolic elements and those with an axis that ends at
-        cusps, and :class:`TooLargeError` for very long ways around.
+        This decides whether two embeddings of a quadratic order, given by the images of a generator, are
+        conjugate. Raises :class:`LatticeError` for parabolic elements and for axes that end at cusps, and
+        :class:`TooLargeError` for very long closed paths.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order()
@@ -419,10 +420,11 @@ class NormOneGroup(Certified, Hinted):
         return geodesics.conjugating_unit(self._domain.polygon, element(x), element(y))
 
     def fundamental_unit(self, x: object) -> Quaternion:
-        """Return the unit, of positive trace, that generates with −1 those of norm 1 commuting with x.
+        """Return the unit of positive trace that generates, with −1, the units of norm 1 commuting with x.
 
-        It is that of the real quadratic order ``O ∩ F(x)``, and a primitive hyperbolic element. Raises
-        :class:`LatticeError` where x has no axis or one that ends at cusps, and :class:`TooLargeError`.
+        It is the fundamental unit of norm 1 of the quadratic order ``O ∩ F(x)``, and a primitive hyperbolic
+        element. Raises :class:`LatticeError` if x has no axis or its axis ends at cusps, and
+        :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", 3, -1).maximal_order()
@@ -436,13 +438,13 @@ class NormOneGroup(Certified, Hinted):
     # --- CM points -------------------------------------------------------------------------------
 
     def cm_points(self, d: object) -> tuple[CMPoint, ...]:
-        """Return the points that embeddings of the quadratic order of discriminant d < 0 fix.
+        """Return the points fixed by embeddings of the quadratic order of discriminant d < 0.
 
-        One point of the upper half plane for each orbit of the group. Over a number field d is a number of
-        the field. An Eichler order of squarefree level N in the algebra of discriminant D has
-        h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol (Voight,
-        *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no totally
-        negative discriminant, and :class:`TooLargeError`.
+        The result has one point of the upper half plane for each orbit of the group. Over a number field d is
+        a number of the field. An Eichler order of squarefree level N in the algebra of discriminant D has
+        h(d)·Π(1 − (S/p))·Π(1 + (S/p)) such points, with p | D in the first product, p | N in the second, and
+        Eichler's symbol (Voight, *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` unless
+        d is a totally negative discriminant, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
@@ -454,10 +456,10 @@ class NormOneGroup(Certified, Hinted):
         return cm_points.cm_points(self, d)
 
     def involution(self, m: int, point: CMPoint) -> CMPoint:
-        """Return the image of a CM point under an Atkin–Lehner involution, among those of :meth:`cm_points`.
+        """Return the image of a CM point under an Atkin–Lehner involution, as one of :meth:`cm_points`.
 
-        ``m`` is an exact divisor of the discriminant of an Eichler order over ℤ. Raises
-        :class:`LatticeError` for others.
+        ``m`` must be an exact divisor of the discriminant of an Eichler order over ℤ; otherwise
+        :class:`LatticeError` is raised.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
@@ -470,11 +472,11 @@ class NormOneGroup(Certified, Hinted):
         return cm_points.involution(self, m, point)
 
     def fixed_points(self, m: int) -> tuple[CMPoint, ...]:
-        """Return the CM points that an Atkin–Lehner involution with m > 1 fixes (A. Ogg, 1983).
+        """Return the CM points fixed by an Atkin–Lehner involution with m > 1 (A. Ogg, 1983).
 
-        Their discriminants are −4m, −m, and −4 where m is 2. Where there are no cusps, these are all fixed
-        points of the involution, and tell the genus of the quotient by it. Raises :class:`LatticeError` as
-        :meth:`involution` does.
+        Their discriminants are −4m, −m, and −4 if m = 2. If there are no cusps, these are all the fixed
+        points of the involution, and their number gives the genus of the quotient. Raises
+        :class:`LatticeError` as :meth:`involution` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(26).maximal_order().norm_one_group()
@@ -488,12 +490,13 @@ class NormOneGroup(Certified, Hinted):
     # --- larger groups -----------------------------------------------------------------------------
 
     def quotient(self, *norms: object) -> QuotientOrbifold:
-        """Return the plane modulo this group and elements of totally positive norm that normalise the order.
+        """Return the quotient of the plane by this group and normalising elements of totally positive norm.
 
-        All of them, or those with the given norms, up to squares of ideals, and products: exact divisors of
-        the discriminant of an Eichler order (Atkin and Lehner), whole numbers over ℤ, else ideals or what
-        generates them. Over other fields units of totally positive norm always belong to them. Raises
-        :class:`LatticeError` for other norms, and those that no such element has, :class:`TooLargeError`.
+        Without arguments all such elements are taken, otherwise those with the given norms, up to squares of
+        ideals, and their products. Norms are exact divisors of the discriminant of an Eichler order (Atkin
+        and Lehner): integers over ℤ, else ideals or their generators. Over other fields units of totally
+        positive norm are always included. Raises :class:`LatticeError` for other norms and for those of no
+        such element, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
@@ -515,8 +518,8 @@ class NormOneGroup(Certified, Hinted):
     def unit_of_norm(self, u: object) -> Quaternion | None:
         """Return a unit of the order with a given norm, such as −1; None if none was found.
 
-        Units are looked for from many points. Where u is negative at a real place that ramifies there is
-        none; else Eichler orders have one. Raises :class:`LatticeError` where u is not a unit.
+        The search for units starts from many points. If u is negative at a ramified real place there is no
+        such unit; otherwise every Eichler order has one. Raises :class:`LatticeError` if u is not a unit.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
@@ -539,7 +542,7 @@ class NormOneGroup(Certified, Hinted):
 
     @cached_property
     def _presentation(self) -> tuple[tuple[Quaternion, ...], tuple[Word, ...], tuple[Word, ...]]:
-        """Generators, relations, and the word of the unit of each side."""
+        """Generators, relations, and the word of each side's unit."""
         domain = self._domain
         numbers: dict[int, int] = {}
         for n, partner in enumerate(domain.partners):
@@ -552,7 +555,7 @@ class NormOneGroup(Certified, Hinted):
             (numbers[n],) * 2 for n, partner in enumerate(domain.partners) if n == partner
         ]
         for cycle in domain.cycles:
-            around = tuple(numbers[n] for n in cycle.sides)  # the inverse of what goes around
+            around = tuple(numbers[n] for n in cycle.sides)  # the inverse of the cycle's product
             relations.append(around * cycle.order)
         left, relations, words = presentation.simplified(len(sides), relations)
         new = {old: n for n, old in enumerate(left, 1)}
@@ -569,23 +572,23 @@ class NormOneGroup(Certified, Hinted):
 
     @property
     def generators(self) -> tuple[Quaternion, ...]:
-        """Units that generate the group, fewer than pair the sides."""
+        """Units that generate the group; fewer than the units that pair the sides."""
         return self._presentation[0]
 
     @property
     def relations(self) -> tuple[Word, ...]:
-        """Words in the generators that are ±1, of which all such words are consequences."""
+        """Relations: words in the generators that are ±1, and that imply all other such words."""
         return self._presentation[1]
 
     @property
     def abelian_invariants(self) -> tuple[int, ...]:
-        """The cyclic factors of the largest abelian quotient, each dividing the next; 0 is ℤ."""
+        """The orders of the cyclic factors of the abelianisation, each dividing the next; 0 stands for ℤ."""
         return presentation.abelian_invariants(len(self.generators), self.relations)
 
     def word(self, x: object) -> Word:
-        """Return the word of a unit of norm 1, up to the sign; that of ±1 is ().
+        """Return the word of a unit of norm 1, up to sign; the word of ±1 is ().
 
-        Raises :class:`LatticeError` for what is not in the group.
+        Raises :class:`LatticeError` for an element that is not in the group.
         """
         q = self.order.algebra(x)
         if q not in self.order or q.norm() != 1:
@@ -598,7 +601,7 @@ class NormOneGroup(Certified, Hinted):
         return presentation.freely_reduced(letter for n in path for letter in of_sides[n])
 
     def evaluate(self, word: Word) -> Quaternion:
-        """Return the product of generators that a word describes."""
+        """Return the product of generators given by a word."""
         product: Quaternion = self.order.algebra(1)
         for letter in word:
             g = self.generators[abs(letter) - 1]

@@ -1,10 +1,10 @@
-"""Elements of positive norm that normalise an Eichler order, and the plane modulo the group with them.
+"""Elements of positive norm that normalise an Eichler order, and quotients of the plane by them.
 
-An element x normalises the order where x·O is a two-sided ideal: an ideal of the field times a product of the
-two-sided primes over the discriminant. By strong approximation such an ideal has a generator of any norm
-that generates the norm of the ideal and is totally positive (Voight, *Quaternion Algebras*, sections 28.5
-and 28.9). Modulo numbers and the units of norm 1 they are a group in which squares are 1.
-A domain of the larger group lies in one of the smaller.
+An element x normalises the order if and only if x·O is a two-sided ideal: an ideal of the field times a
+product of the two-sided primes over the discriminant. By strong approximation such an ideal has a generator
+of norm n for every totally positive n that generates the norm of the ideal (Voight, *Quaternion Algebras*,
+sections 28.5 and 28.9). Modulo scalars and units of norm 1 the normalising elements form a group of exponent
+2. A domain of the larger group lies in one of the smaller.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ MAX_COORDINATES = 128
 
 
 def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: BaseNumber) -> Quaternion:
-    """Return an element of a two-sided ideal with a norm that generates that of the ideal.
+    """Return an element of a two-sided ideal with the given norm, a number that generates the norm of the
+    ideal.
 
-    Raises :class:`TooLargeError` where none was found.
+    Raises :class:`TooLargeError` if none was found.
     """
     found = element_of_norm(order, basis, order.scalar(norm))
     if found is None or not all(found * x / found in order for x in order.basis):
@@ -49,12 +50,14 @@ class Cosets:
     """The elements that normalise an order, or those of some norms, modulo scalars and units of norm 1.
 
     Coset n is represented by ``elements[n]``, an element of the order; the product of cosets m and n is
-    number m ^ n. An element of the larger group is, up to a number, a representative times a unit:
-    it is written as the unit's coordinates in the block of its coset, with 0 in the other blocks.
+    number m ^ n. An element of the larger group is, up to a scalar, a representative times a unit. Its row
+    has the coordinates of the unit in the block of its coset, and 0 in the other blocks.
     """
 
     def __init__(self, polygon: Polygon, norms: Sequence[object]) -> None:
-        """``polygon`` is a domain of the units of norm 1: representatives move its centre inside."""
+        """``polygon`` is a domain of the units of norm 1; representatives are chosen to move its centre
+        inside it.
+        """
         self.order = order = polygon.plane.order
         self.elements = [order.algebra(1)]
         for basis, norm in order.normalising(norms):
@@ -78,7 +81,7 @@ class Cosets:
         return root is not None and z / root in self.order
 
     def block(self, n: int, rows: Rows | list[list[int]]) -> Rows:
-        """Return coordinates in coset n of an element given by coordinates with respect to the order."""
+        """Return coordinates in coset n of an element given by its coordinates in the order."""
         found = np.zeros((len(rows), len(self.elements), self.size), dtype=np.int64)
         found[:, n] = rows
         return found.reshape(len(rows), -1)
@@ -92,7 +95,7 @@ class Cosets:
 
     @cached_property
     def products(self) -> Rows:
-        """The products of the basis: (w·x)·(w'·y) is a number times w''·(w''⁻¹·w·x·w'·y)."""
+        """The products of the basis: (w·x)·(w'·y) is a scalar times w''·(w''⁻¹·w·x·w'·y)."""
         order, found = self.order, []
         norms = [order.scalar(w.norm()) for w in self.elements]
         table = np.array(order.products).reshape((self.size,) * 3)
@@ -109,7 +112,7 @@ class Cosets:
 
     @cached_property
     def bar(self) -> Rows:
-        """The conjugates of the basis, which are inverses up to numbers."""
+        """The conjugates of the basis, which are inverses up to scalars."""
         found = [
             self.block(
                 n, self.order.rows([w.inverse() * (w * x).conjugate() for x in self.order.basis])
@@ -120,7 +123,7 @@ class Cosets:
 
 
 class CosetSight(Sight):
-    """Elements of cosets, scaled to norm 1, in floats for a point of the plane."""
+    """Elements of cosets, scaled to norm 1, in floats, as seen from a point of the plane."""
 
     def __init__(self, plane: Plane, cosets: Cosets) -> None:
         super().__init__(plane)
@@ -135,9 +138,9 @@ class CosetSight(Sight):
 
 
 def domain(cosets: Cosets, area: Fraction) -> dirichlet.Found:
-    """Return a domain, proved complete, of the group of cosets; ``area`` is that of the units of norm 1.
+    """Return a domain, proved complete, of the group of cosets; ``area`` is the area for the units of norm 1.
 
-    Raises :class:`TooLargeError` where none was found.
+    Raises :class:`TooLargeError` if none was found.
     """
     order, count = cosets.order, len(cosets.elements)
     plane, rng = Plane(order, next(free_centers(order))), random.Random(1)

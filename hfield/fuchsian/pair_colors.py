@@ -1,4 +1,4 @@
-"""Colours and letters of the pairs of sides of a domain, in pictures and pages, light and dark."""
+"""Colours and letters of paired sides, in light and dark pictures and pages."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ NEAREST_SHARE, NEXT_SHARE, GREATEST_SHARE = 0.5, 0.1, 0.9
 
 
 def pair_numbers(domain: Domain) -> list[int]:
-    """Return a number for each side, from 0, one for a pair."""
+    """Return a number for each side, from 0, the same for both sides of a pair."""
     firsts = [min(n, p) for n, p in enumerate(domain.partners)]
     number = {first: k for k, first in enumerate(sorted(set(firsts)))}
     return [number[first] for first in firsts]
 
 
 def letters(partners: Sequence[int], numbers: Sequence[int]) -> list[str]:
-    """Return a letter for each side: a for the first of a pair, a⁻¹ for the other.
+    """Return a letter for each side: a for the first of a pair, a⁻¹ for the second.
 
-    Across the side a lies the image of the domain under a unit, which maps the side a⁻¹ to the side a.
+    The tile beyond side a is the image of the domain under the unit that maps side a⁻¹ to side a.
     """
     return [
         letter(k) + ("⁻¹" if p < n else "")
@@ -64,13 +64,13 @@ def letter(number: int) -> str:
 
 
 def shade(number: int, length: int, dark: bool) -> str:
-    """Return a pair's colour for words of a length that begin with its sides; length 0 is the side itself."""
+    """Return a pair's colour for tiles whose words start with its sides; length 0 is the side itself."""
     pairs, disc = (DARK_PAIRS, DARK["disc"]) if dark else (LIGHT_PAIRS, LIGHT["disc"])
     share = min(GREATEST_SHARE, NEAREST_SHARE + NEXT_SHARE * (length - 1)) if length else 0.0
     return mixed(pairs[number % len(pairs)], disc, share)
 
 
 def mixed(color: str, other: str, share: float) -> str:
-    """Return a colour #rrggbb with a share of another."""
+    """Return a colour #rrggbb mixed with a share of another."""
     values = ((int(color[n : n + 2], 16), int(other[n : n + 2], 16)) for n in (1, 3, 5))
     return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in values)

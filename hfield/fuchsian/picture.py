@@ -1,4 +1,4 @@
-"""A Dirichlet domain in Poincaré's disc, its images coloured by words: SVG of true arcs, PNG and PDF."""
+"""Pictures of a Dirichlet domain in Poincaré's disc, with tiles coloured by words, as SVG, PNG and PDF."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ MAX_ARC_ANGLE = 0.75
 
 
 class DrawnSide(NamedTuple):
-    """A side of an image: the arc about ``center`` between two points; straight without a centre."""
+    """A side of a tile: the arc between two points about ``center``; a straight line if there is no
+    centre.
+    """
 
     start: complex
     end: complex
@@ -54,20 +56,20 @@ class DrawnSide(NamedTuple):
 
     @property
     def radius(self) -> float:
-        """The radius of the circle, which meets the unit circle at right angles."""
+        """The radius of the circle, which is orthogonal to the unit circle."""
         assert self.center is not None
         return abs(self.start - self.center)
 
 
 class Area(NamedTuple):
-    """Images of one colour: the sides of each."""
+    """Tiles of one colour: the sides of each."""
 
     color: str
     images: list[list[DrawnSide]]
 
 
 class DiscDrawing(NamedTuple):
-    """A drawing in the unit disc, independent of the format."""
+    """A picture in the unit disc, independent of the file format."""
 
     title: str
     facts: str
@@ -99,7 +101,7 @@ def draw(
     replace: bool | None = None,
     points: Iterable[CMPoint] = (),
 ) -> None:
-    """Draw a domain to a file. Raises :class:`LatticeError` if it cannot be written."""
+    """Draw a domain to a file. Raises :class:`LatticeError` if the file cannot be written."""
     drawing = drawing_of(domain, dark, depth, points)
     try:
         with whole_file(Path(str(path)), replace) as part:
@@ -121,7 +123,7 @@ def svg(domain: Domain) -> str:
 def drawing_of(
     domain: Domain, dark: bool, depth: int | None, points: Iterable[CMPoint] = ()
 ) -> DiscDrawing:
-    """Return the drawing of a domain: all visible images, or those of words of up to ``depth`` sides."""
+    """Return the picture of a domain, with all visible tiles or those of words of up to ``depth`` sides."""
     numbers, corners = pair_numbers(domain), np.array(domain.vertices)
     colored = sorted(tessellation(domain, depth), key=lambda t: (t.length, t.first))
     areas = [
@@ -142,7 +144,7 @@ def drawing_of(
 
 
 def cm_points_in(domain: Domain, points: Iterable[CMPoint]) -> list[CMPoints]:
-    """Return where CM points lie in a domain, into which they are moved, by their discriminants."""
+    """Return the positions of CM points, moved into the domain, by discriminant."""
     places: dict[str, list[complex]] = {}
     for point in points:
         there = cm_points.place(domain, domain.reduce(point))
@@ -184,7 +186,7 @@ def sides_of(corners: Points) -> list[DrawnSide]:
 
 
 def _middle(side: DrawnSide) -> complex:
-    """Return the middle of a side in the plane, halfway between its ends."""
+    """Return the hyperbolic midpoint of a side."""
     ends = np.array([side.start, side.end])
     stretched = 2 * ends / (1 - abs(ends) ** 2)  # horizontal coordinates on the hyperboloid
     heights = np.sqrt(1 + abs(stretched) ** 2)
@@ -196,9 +198,10 @@ def _middle(side: DrawnSide) -> complex:
 
 
 class LegendEntry(NamedTuple):
-    """An entry of the legend from x on: a stroke of a colour, or the mark of an order, 1 being the centre.
+    """An entry of the legend that starts at x: a stroke of a colour, or the mark of an order (1 for the
+    centre).
 
-    With both it is a CM point.
+    An entry with both stands for a CM point.
     """
 
     x: float
@@ -209,12 +212,12 @@ class LegendEntry(NamedTuple):
 
     @property
     def text_x(self) -> float:
-        """Where the text begins."""
+        """The x coordinate of the text."""
         return self.x + (0 if self.color is None and self.order is None else 22)
 
 
 def letters_on_sides(drawing: DiscDrawing) -> Iterator[tuple[complex, float, str]]:
-    """Yield the place of the middle, the size, and the letter of each side that is long enough."""
+    """Yield the midpoint, the size and the letter of each side that is long enough for a letter."""
     # the straight sides of a sector may be near to one another
     between = RADIUS * abs(_summit(drawing.own[0]) - _summit(drawing.own[-1]))
     for side, text in zip(drawing.own, drawing.letters, strict=True):
@@ -235,7 +238,7 @@ def _summit(side: DrawnSide) -> complex:
 
 
 def legend(drawing: DiscDrawing) -> list[LegendEntry]:
-    """Return the legend below the disc, each row in the middle."""
+    """Return the legend below the disc, with centred rows."""
     names = dict(zip(drawing.colors, drawing.letters, strict=True))
     firsts = [(c, t) for c, t in zip(drawing.colors, drawing.letters, strict=True) if "⁻" not in t]
     pairs: list[tuple[str | None, int | None, str]] = [(c, None, t) for c, t in firsts]
@@ -265,7 +268,7 @@ def legend(drawing: DiscDrawing) -> list[LegendEntry]:
 
 
 def _more_legend(drawing: DiscDrawing) -> float:
-    """Return the height of a row of the legend that only drawings with CM points have."""
+    """Return the height of the additional legend row in pictures with CM points."""
     return LEGEND_STEP if drawing.cm_points else 0
 
 
@@ -282,7 +285,7 @@ def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[Le
 
 
 def _svg(drawing: DiscDrawing) -> str:
-    """Write the picture: numbers are pixels from the middle of the disc, y downwards."""
+    """Write the picture as SVG; coordinates are pixels from the centre of the disc, y downwards."""
     theme = drawing.theme
     width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92 + _more_legend(drawing)
     size = min(17, 780 / len(drawing.title))
@@ -349,7 +352,7 @@ def _svg_entry(entry: LegendEntry) -> Iterator[str]:
 
 
 def _way(sides: list[DrawnSide], short: float = 0.0) -> str:
-    """Write consecutive sides as a path; runs of sides shorter than ``short`` pixels are drawn as one."""
+    """Write consecutive sides as a path; runs of sides shorter than ``short`` pixels become one segment."""
     here = np.round(sides[0].start * RADIUS, DECIMALS)
     words = ["M" + _numbers(here)]
     skipped = False
@@ -370,7 +373,7 @@ def _way(sides: list[DrawnSide], short: float = 0.0) -> str:
 
 
 def _numbers(z: complex) -> str:
-    """Write a point or step, y downwards, as briefly as it goes."""
+    """Format a point or step with y downwards, as briefly as possible."""
     x, y = (
         f"{v:.{DECIMALS}f}".removesuffix(".0").replace("0.", ".", 1)
         if abs(v) < 1
@@ -381,7 +384,9 @@ def _numbers(z: complex) -> str:
 
 
 def _mark(order: int) -> Iterator[complex]:
-    """Yield the corners of a mark: a point for the centre, a diamond for order 2, a polygon for more."""
+    """Yield the corners of a mark: a point for the centre, a diamond for order 2, a polygon for higher
+    orders.
+    """
     corners = {1: 12, 2: 4}.get(order, order if order < 8 else 24)
     first = np.exp(1j * np.pi / 4) if order == 4 else 1j
     for n in range(corners):
@@ -459,7 +464,7 @@ def _save(drawing: DiscDrawing, path: Path) -> None:
 
 
 def _cm_mark(point: complex, color: str, ink: str) -> Circle:
-    """Return matplotlib's mark of a CM point."""
+    """Return the matplotlib marker of a CM point."""
     from matplotlib.patches import Circle
 
     center = (point.real, point.imag)
@@ -467,7 +472,7 @@ def _cm_mark(point: complex, color: str, ink: str) -> Circle:
 
 
 def _curve(sides: list[DrawnSide]) -> Curve:
-    """Return matplotlib's path along sides that follow one another, arcs as cubic curves."""
+    """Return the matplotlib path along consecutive sides, with arcs as cubic curves."""
     from matplotlib.path import Path as Curve
 
     points, codes = [sides[0].start], [Curve.MOVETO]

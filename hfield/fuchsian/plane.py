@@ -1,10 +1,10 @@
-"""The hyperbolic plane inside an algebra that splits at one real place, without a single irrational number.
+"""The hyperbolic plane inside an algebra that splits at one real place, with exact coordinates.
 
-The elements of trace 0 whose norm is positive at that place form, up to positive factors, one sheet of a
-hyperboloid: an element c of it stands for the point of the plane that c fixes, and a unit g of norm 1 carries
-it to ``g·c·g⁻¹``. So c, its images, the lines halfway between them and the points where these lines meet all
-have coordinates in the field, and every question about them is decided by the sign of a number of it; a point
-with norm 0 is a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains,
+The elements of trace 0 with positive norm at that place form, up to positive factors, one sheet of a
+hyperboloid. An element c stands for the point of the plane that c fixes, and a unit g of norm 1 maps it to
+``g·c·g⁻¹``. So c, its images, the lines halfway between them and the intersections of these lines all have
+coordinates in the field, and every question about them is decided by the sign of a number of the field. A
+point with norm 0 is a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains, and
 section 36.2 for the hyperboloid.
 """
 
@@ -24,10 +24,10 @@ CENTER: tuple[object, object, object] = (1, 0, 0)
 
 
 class Plane:
-    """The hyperbolic plane seen from the fixed point of a trace-0 element c of positive norm.
+    """The hyperbolic plane around the fixed point of c, an element of trace 0 and positive norm.
 
-    Coordinates are over (c, u, c·u), where u anticommutes with c: the norm there is ``n·x² − m·y² − n·m·z²``,
-    and the centre is (1, 0, 0). The sheet is that of c: its points have x > 0.
+    Coordinates are with respect to (c, u, c·u), where u anticommutes with c. In them the norm is ``n·x² −
+    m·y² − n·m·z²``, and the centre is (1, 0, 0). The points of the sheet have x > 0.
     """
 
     def __init__(self, order: SplitOrder, center: Quaternion) -> None:
@@ -52,11 +52,11 @@ class Plane:
         return (a, b, c)
 
     def image(self, g: Quaternion) -> Vector:
-        """Return where g, of positive norm, moves the centre."""
+        """Return the image of the centre under g, an element of positive norm."""
         return self.vector(g * self.center * _inverse(g))
 
     def norm(self, x: Vector) -> BaseNumber:
-        """Return the norm: positive in the plane, 0 on its circle at infinity."""
+        """Return the norm: positive in the plane, 0 on the circle at infinity."""
         n, m, k = self.norms
         return n * x[0] * x[0] + m * x[1] * x[1] + k * x[2] * x[2]
 
@@ -67,23 +67,25 @@ class Plane:
         return ((a, d, p), (b, e, q), (c, f, r))
 
     def halfway(self, image: Vector) -> Vector:
-        """Return the form that is ≥ 0 where the centre is at least as near as its image."""
+        """Return the linear form that is ≥ 0 at the points at least as near to the centre as to ``image``."""
         n, m, k = self.norms
         return (n * (image[0] - 1), m * image[1], k * image[2])
 
     def floats(self, x: Vector) -> tuple[float, float, float]:
-        """Return about the coordinates of a point, so stretched that the circle is round."""
+        """Return approximate coordinates of a point, scaled so that the circle at infinity is round."""
         real, (a, b) = self.order.real, self.stretch
         return real(x[0]), real(x[1]) * a, real(x[2]) * b
 
     def disc(self, x: Vector) -> complex:
-        """Return about where a point lies in Poincaré's disc around the centre."""
+        """Return the approximate position of a point in Poincaré's disc around the centre."""
         t, y, z = self.floats(x)
         p = complex(y / t, z / t)
         return p / (1 + sqrt(max(0.0, 1 - abs(p) ** 2)))
 
     def nearby(self, p: complex, bits: int) -> Quaternion:
-        """Return an element of trace 0 whose point is near p in Poincaré's disc, to a precision in bits."""
+        """Return an element of trace 0 whose point is near p in Poincaré's disc; ``bits`` is the
+        precision.
+        """
         q = 2 * p / (1 + abs(p) ** 2)
         a, b = self.stretch
         c, u, w = self.axes
@@ -110,10 +112,10 @@ def dot(f: Vector, x: Vector) -> BaseNumber:
 
 
 def meeting(f: Vector, g: Vector) -> Vector:
-    """Return the point where two lines meet, which may lie beyond the circle."""
+    """Return the intersection of two lines, which may lie outside the disc."""
     return (f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0])
 
 
 def same_point(x: Vector, y: Vector) -> bool:
-    """Return whether coordinates are multiples of one another."""
+    """Return whether two coordinate vectors are proportional."""
     return bool(x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0])

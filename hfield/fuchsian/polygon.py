@@ -1,4 +1,4 @@
-"""Polygons around the centre of a plane, exactly: sides halfway to images of the centre, corners, angles."""
+"""Polygons around the centre of a plane, in exact arithmetic: sides, corners, angles."""
 
 from __future__ import annotations
 
@@ -15,12 +15,10 @@ from hfield.orders.base_values import BaseNumber
 
 
 class Polygon:
-    """The points nearer to the centre c than to ``g·c``, for some g of positive norm, listed
-    counterclockwise.
+    """The points nearer to the centre c than to images ``g·c``, for several g listed counterclockwise.
 
-    ``images[n]`` is ``g·c`` for ``units[n]``, ``forms[n]`` is 0 on the side halfway there, which
-    goes from ``starts[n]`` to
-    ``ends[n]``.
+    ``images[n]`` is ``g·c`` for ``units[n]``. Side n is the line halfway to ``images[n]``, on which
+    ``forms[n]`` is 0; it goes from ``starts[n]`` to ``ends[n]``.
     """
 
     def __init__(self, plane: Plane, units: Sequence[Quaternion]) -> None:
@@ -32,7 +30,7 @@ class Polygon:
         self._motions: dict[int, Motion] = {}
 
     def __eq__(self, other: object) -> bool:
-        """Tell whether two polygons have one centre and the same units."""
+        """Return whether two polygons have one centre and the same units."""
         return (
             isinstance(other, Polygon)
             and self.plane.center == other.plane.center
@@ -47,23 +45,23 @@ class Polygon:
         return {x: n for n, x in enumerate(self.images)}
 
     def partner(self, n: int) -> int | None:
-        """Return the side that has the image of the centre under the inverse of a unit; None without one."""
+        """Return the side that belongs to the image of the centre under the inverse of unit n; None without
+        one.
+        """
         return self._places.get(self.plane.image(self.units[n].conjugate()))
 
     def without_points(self) -> Polygon:
-        """Return the polygon without the sides that only touch it, where the neighbours meet."""
+        """Return the polygon without the sides that meet it only in a corner."""
         count = len(self.forms)
         ends = [self.units[n] for n in range(count) if dot(self.forms[n - 1], self.ends[n]) != 0]
         return self if len(ends) == count else Polygon(self.plane, ends)
 
     def is_closed(self) -> bool:
-        """Return whether the sides, in order, bound the polygon once around, with corners that are points
-        or cusps.
+        """Return whether the sides, in order, bound the polygon once around, with points or cusps as corners.
 
-        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of a dual plane; they
-        are the corners
-        of a convex polygon around 0 where they turn left at each corner, seen from it and from 0, and go once
-        around.
+        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of a dual plane. These are the
+        corners of a convex polygon around 0 if and only if the path turns left at each corner, also as seen
+        from 0, and winds around 0 once.
         """
         sign, count = self.plane.order.sign, len(self.forms)
         lower = [sign(form[2]) < 0 for form in self.forms]
@@ -75,7 +73,7 @@ class Polygon:
         )
 
     def back(self, n: int) -> Motion:
-        """Return what the inverse of a unit does."""
+        """Return the motion of the inverse of unit n."""
         if n not in self._motions:
             self._motions[n] = self.plane.motion(self.units[n].conjugate())
         return self._motions[n]
@@ -86,18 +84,20 @@ class Polygon:
         return [(real(a), real(b), real(c)) for a, b, c in self.forms]
 
     def beyond(self, x: Vector) -> int | None:
-        """Return a side beyond which a point lies, about the best one; None inside."""
+        """Return a side that separates a point from the polygon, about the best one; None for a
+        point inside.
+        """
         sign, real = self.plane.order.sign, self.plane.order.real
         a, b, c = map(real, x)
         likely = [f[0] * a + f[1] * b + f[2] * c for f in self._floats]
-        # floats say where to look first; the sign is exact
+        # floats determine the order of the search; the sign is exact
         for n in sorted(range(len(likely)), key=likely.__getitem__):
             if sign(dot(self.forms[n], x)) < 0:
                 return n
         return None
 
     def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
-        """Move a point into the polygon by inverses of units; return it and the numbers of the units."""
+        """Move a point into the polygon by inverses of units; return it and the indices of these units."""
         path: list[int] = []
         while x != CENTER and (n := self.beyond(x)) is not None:
             path.append(n)
@@ -105,9 +105,9 @@ class Polygon:
         return x, path
 
     def turns(self, corners: Sequence[int], order: int) -> int:
-        """Return k where the angles at corners, multiples of 2π/order in sum, are 2πk/order.
+        """Return k if the angles at these corners sum to 2πk/order; the sum is a multiple of 2π/order.
 
-        The sum is computed in balls, with as many digits as single out k.
+        The sum is computed in balls, with enough digits to determine k.
         """
         for bits in (64, 128, 256, 512, 1024, 4096):
             with precision(bits):
@@ -118,7 +118,7 @@ class Polygon:
         raise UndecidedError("4096 bits do not determine the angle at a vertex of the domain")
 
     def _angle(self, n: int) -> arb:
-        """Return the angle inside the polygon where a side begins."""
+        """Return the angle inside the polygon at the start of side n."""
         f, g, norms, ball = (
             self.forms[n - 1],
             self.forms[n],

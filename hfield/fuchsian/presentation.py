@@ -1,9 +1,8 @@
-"""Words, and presentations of the groups whose fundamental polygons are known.
+"""Words, and presentations of groups with a known fundamental polygon.
 
-A word is a tuple of ±1, ±2, …: generators and their inverses. By Poincaré's theorem what pairs the sides
-generates, and what goes around the vertices are all relations (Maskit, *Adv. Math.* 7, 1971); then
-generators that
-a relation expresses by others are put away (Tietze).
+A word is a tuple of ±1, ±2, …: generators and their inverses. By Poincaré's theorem the side pairings
+generate the group, and the vertex cycles give all relations (Maskit, *Adv. Math.* 7, 1971). Then generators
+that a relation expresses by others are eliminated (Tietze).
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ Word = tuple[int, ...]
 
 
 def freely_reduced(letters: Iterable[int]) -> Word:
-    """Return a word without neighbours that cancel."""
+    """Return a word without adjacent letters that cancel."""
     word: list[int] = []
     for letter in letters:
         if word and word[-1] == -letter:
@@ -28,7 +27,7 @@ def freely_reduced(letters: Iterable[int]) -> Word:
 
 
 def cyclically_reduced(word: Word) -> Word:
-    """Return a conjugate without neighbours that cancel, the last and the first letter among them."""
+    """Return a conjugate without adjacent letters that cancel, also cyclically."""
     word = freely_reduced(word)
     while len(word) > 1 and word[0] == -word[-1]:
         word = word[1:-1]
@@ -41,10 +40,10 @@ def inverse(word: Sequence[int]) -> Word:
 
 
 def simplified(count: int, relations: list[Word]) -> tuple[list[int], list[Word], dict[int, Word]]:
-    """Eliminate generators that occur once in a relation.
+    """Eliminate generators that occur exactly once in a relation.
 
-    Return the generators that are left, relations between them, and every generator as a word of them; all by
-    their old numbers.
+    Return the remaining generators, the relations between them, and each generator as a word in them, all in
+    the original numbering.
     """
     relations = [r for r in map(cyclically_reduced, relations) if r]
     left, put_away = list(range(1, count + 1)), list[tuple[int, Word]]()
@@ -79,7 +78,9 @@ def simplified(count: int, relations: list[Word]) -> tuple[list[int], list[Word]
 
 
 def shortest(relation: Word) -> tuple[int, int, Word] | None:
-    """Return the least generator that occurs once, after the length of its word; None without one."""
+    """Return the length of the word for a generator that occurs once, the generator, and the relation; or
+    None.
+    """
     once = [n for n, times in Counter(map(abs, relation)).items() if times == 1]
     return (len(relation) - 1, min(once), relation) if once else None
 
@@ -90,7 +91,9 @@ def replaced(word: Word, values: dict[int, Word]) -> Word:
 
 
 def abelian_invariants(count: int, relations: Sequence[Word]) -> tuple[int, ...]:
-    """Return the cyclic factors of the largest abelian quotient, each dividing the next; 0 is ℤ."""
+    """Return the orders of the cyclic factors of the abelianisation, each dividing the next; 0
+    stands for ℤ.
+    """
     rows = [[r.count(n) - r.count(-n) for n in range(1, count + 1)] for r in relations]
     if not rows or not count:
         return (0,) * count

@@ -1,10 +1,9 @@
-"""Search units of norm 1 that carry a point near others, as short vectors of many definite forms, in
-arrays.
+"""Find units of norm 1 that move a point near others, as short vectors of many definite forms, in arrays.
 
-For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite forms in g.
-Seen from the centre alone the units that are needed are long; seen from one random point w after the other
-they are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms are
-computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
+For g of norm 1, ``cosh d(g·c, w)`` and the norms at the other real places are definite forms in g. The units
+that are needed are long as seen from the centre, but short as seen from suitable random points w (Page,
+*Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms are computed in floats, which
+may miss a unit; the exact proof later decides whether enough were found.
 """
 
 from __future__ import annotations
@@ -52,8 +51,8 @@ MAX_COSH = 1e9
 class Sight:
     """An order in float coordinates around the centre of a plane.
 
-    At the place that splits, x is the matrix ``[[a, b], [conj(b), conj(a)]]`` that moves 0 in the disc
-    to b/conj(a).
+    At the split place, x is the matrix ``[[a, b], [conj(b), conj(a)]]``, which moves 0 in the disc to
+    b/conj(a).
     """
 
     def __init__(
@@ -104,21 +103,21 @@ class Sight:
         return np.array(self.plane.order.bars)
 
     def motions(self, rows: Rows) -> tuple[Points, Points]:
-        """Return a and b of elements."""
-        # one thread: BLAS would wake as many as there are, which takes longer than the products
+        """Return the matrix entries a and b of elements."""
+        # one thread: starting as many as BLAS would takes longer than the products
         a, b = (np.einsum("ni,i->n", rows, x) for x in (self.a, self.b))
         return a, b
 
     def turn_about_center(self, rotation: Quaternion, order: int) -> None:
-        """Set the rotation around the centre by which :meth:`turned` multiplies units, and its order."""
+        """Set the rotation around the centre that :meth:`turned` uses, and its order."""
         powers = np.array(self.plane.order.rows([rotation**n for n in range(order)]))
         # x ↦ gⁿ·x, and x ↦ x·gⁿ
         self._turns = self.left(powers), np.einsum("nj,ijk->nik", powers, self.products)
 
     def turned(self, rows: Rows) -> Rows:
-        """Return units with their products with rotations around the centre on the left.
+        """Return units together with their products with rotations around the centre on the left.
 
-        Rotations are left out, and of the units that move the centre to one point one is chosen.
+        Rotations are left out, and for each image of the centre only one unit is kept.
         """
         if self._turns is None:
             return distinct(rows)
@@ -130,7 +129,7 @@ class Sight:
         return distinct(np.array([min(group) for group in groups] or self.empty))
 
     def left(self, rows: Rows) -> Rows:
-        """Return the matrices by which these elements multiply rows from the left."""
+        """Return the matrices of left multiplication by these elements."""
         found: Rows = np.einsum("ni,ijk->njk", rows, self.products)
         return found
 
@@ -140,7 +139,9 @@ class Sight:
         return found
 
     def forms(self, points: Points | Floats, cosh: float) -> Floats:
-        """Return linear forms, columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms elsewhere."""
+        """Return linear forms, as columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms at other
+        places.
+        """
         alpha = 1 / np.sqrt((1 - abs(points) ** 2) * cosh)[:, None]
         beta = alpha * points[:, None]
         a = alpha * self.a - beta * self.b.conj()
@@ -149,11 +150,13 @@ class Sight:
         return np.concatenate([np.stack([a.real, a.imag, b.real, b.imag], axis=2), others], axis=2)
 
     def carrying(self, points: Points | Floats, cosh: float | None = None) -> Rows:
-        """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
+        """Return units of norm 1, other than ±1 and up to sign, that move the centre near one of
+        the points.
+        """
         return distinct(self.units(self.near(points, cosh)))
 
     def near(self, points: Points | Floats, cosh: float | None = None) -> Rows:
-        """Return nonzero elements, up to sign, that are short for some point of the disc."""
+        """Return nonzero elements, up to sign, that are short as seen from one of the points of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
         which, vectors = short_vectors(steps @ forms, len(self.other_norms) + 1 + 1e-9)
@@ -163,7 +166,7 @@ class Sight:
         return np.concatenate(rows)
 
     def of_norm(self, rows: Rows, sign: int) -> Flags:
-        """Return which elements have norm ±1, with this sign at the place."""
+        """Return a mask of the elements with norm ±1 that have this sign at the split place."""
         a, b = self.motions(rows)
         good = abs(abs(a) ** 2 - abs(b) ** 2 - sign) < 0.2
         for form in self.other_norms:
@@ -182,9 +185,9 @@ class Sight:
 def element_of_norm(
     order: SplitOrder, basis: Sequence[Quaternion], norm: BaseNumber
 ) -> Quaternion | None:
-    """Return an element of a lattice with this norm, an exact number, that is short from somewhere, or None.
+    """Return an element of a lattice with this exact norm that is short from some point, or None.
 
-    At the places that do not split the norm is positive. Every element is short from some points.
+    The norm is positive at the other real places. Every element is short from some points.
     """
     basis = short_basis(order, basis)
     sight = Sight(Plane(order, next(free_centers(order))), basis, norm)
@@ -201,9 +204,9 @@ def element_of_norm(
 
 
 def split_order(order: LatticeValue) -> SplitOrder:
-    """Return an order for its group, with a basis that looks short from a point.
+    """Return an order with its split place, in a basis that is short as seen from a point.
 
-    Products have small coordinates in it. Raises :class:`IndefiniteError`.
+    In this basis products have small coordinates. Raises :class:`IndefiniteError`.
     """
     return SplitOrder(order, short_basis(SplitOrder(order), order.basis))
 
@@ -233,7 +236,7 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
 
 
 def first_plane(order: SplitOrder) -> Plane:
-    """Return the plane around the simplest element of trace 0 that fixes a point."""
+    """Return the plane around the fixed point of the simplest element of trace 0."""
     _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
     centers = (c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
@@ -241,7 +244,7 @@ def first_plane(order: SplitOrder) -> Plane:
 
 
 def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+    """Yield elements of trace 0 and positive norm whose point is apparently fixed by no unit but ±1."""
     if len(order.basis) == 4:
         candidates = _small(order)
     else:  # small elements are mostly fixed by units
@@ -253,7 +256,9 @@ def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
 
 
 def _small(order: SplitOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0 and positive norm in an order over ℤ, one of each norm, by the norm."""
+    """Yield elements of trace 0 and positive norm in an order over ℤ, one of each norm, in order of
+    the norm.
+    """
     twice = fmpz_mat(order.rows([2 * x - x.trace() for x in order.basis])).hnf().tolist()
     without_trace = [order.element([int(c) for c in row]) for row in twice[:3]]
     basis = short_basis(order, without_trace)
@@ -270,7 +275,7 @@ def _small(order: SplitOrder) -> Iterator[Quaternion]:
 
 
 def reduction(vectors: Floats) -> Rows:
-    """Return the change to a reduced basis of the lattice that rows span.
+    """Return the change to a reduced basis of the lattice spanned by rows.
 
     Raises :class:`TooLargeError` for rows so long that floats do not tell the short ones.
     """
@@ -290,22 +295,23 @@ def positive(rows: Rows) -> Rows:
 
 
 def distinct(rows: Rows) -> Rows:
-    """Return rows that differ by more than the sign."""
+    """Return the rows without repetitions up to sign."""
     found = list(dict.fromkeys(map(tuple, positive(rows).tolist())))
     return np.array(found, dtype=np.int64).reshape(len(found), rows.shape[1])
 
 
 def short_vectors(bases: Floats, bound: float) -> tuple[Rows, Rows]:
-    """Return the combinations of vectors, up to the sign, with squares up to a bound, in many lattices.
+    """Return the combinations of vectors, up to sign, with squared length up to a bound, in many lattices.
 
-    The number of each one's lattice, ascending, and the coefficients. After Fincke and Pohst, breadth
-    first: the last coefficient that is left is chosen for all at once.
+    The result has the index of the lattice of each combination, ascending, and its coefficients. The method
+    is that of Fincke and Pohst, breadth first: each step chooses the last remaining coefficient of all
+    combinations at once.
     """
     count, rank, _ = bases.shape
     lower = np.linalg.cholesky(bases @ bases.transpose(0, 2, 1))
     scale = np.einsum("nii->ni", lower)
     mu = lower / scale[:, None, :]  # q(x) = Σ scaleₖ²·(xₖ + Σ_{j>k} mu[j, k]·xⱼ)²
-    # near a cusp there are very many, and all tell the same
+    # near a cusp there are very many, and they all give the same information
     many = np.log1p(2 * math.sqrt(bound) / scale).sum(axis=1)
     which = np.flatnonzero(many < many.min() + MANIFOLD)
     count = len(which)

@@ -1,9 +1,10 @@
-"""Sectors of Dirichlet domains around a point that units fix.
+"""Sectors of Dirichlet polygons around a point that units fix.
 
-The points nearer to such a point p than to its other images form a polygon that the stabiliser of p turns.
-Modulo units, a sector of it is a domain: it lies between the lines from p to two corners, the first of which
-a generator of the stabiliser, a rotation about 2π/m, maps to the other. Sides of the polygon are mapped to
-sides by units that are known up to the stabiliser, and one of these maps a side of the sector to another.
+The points nearer to such a point p than to its other images form a polygon that is invariant under the
+stabiliser of p. A sector of this polygon is a domain of the group. It lies between the lines from p to two
+corners; a generator of the stabiliser, a rotation by 2π/m, maps the first corner to the second. Units map
+sides of the polygon to sides. They are determined up to the stabiliser, and one choice maps a side of the
+sector to another.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from hfield.fuchsian.polygon import Polygon
 class Sector(Polygon):
     """A sector of a polygon around the centre, given counterclockwise.
 
-    Side 0 goes from the centre to a corner, and the last side goes back: ``rotation`` maps the first to the
-    last. The sides between them are those of the polygon, with ``units``.
+    Side 0 goes from the centre to a corner, and the last side goes back; ``rotation`` maps the first to the
+    last. The sides between them are sides of the polygon, with ``units``.
     """
 
     def __init__(self, whole: Polygon, rotation: Quaternion, units: list[Quaternion]) -> None:
@@ -36,7 +37,8 @@ class Sector(Polygon):
         self._motions = {}
 
     def partner(self, n: int) -> int | None:
-        """Return the side that has the image of the centre under the inverse of a unit; None without one.
+        """Return the side that belongs to the image of the centre under the inverse of unit n; None without
+        one.
 
         The first and the last side are partners.
         """
@@ -45,10 +47,10 @@ class Sector(Polygon):
 
 
 def sector(whole: Polygon, rotation: Quaternion, order: int) -> Sector | None:
-    """Return a sector of a closed polygon, for a rotation about 2π/order around the centre.
+    """Return a sector of a closed polygon, for a rotation by 2π/order around the centre.
 
-    Return None where it does not map each side to the one that comes so many sides later, or where a unit
-    does not map its side to a side.
+    Return None if the rotation does not map each side to the side a fixed number of places later, or if some
+    unit does not map its side to a side.
     """
     count, rest = divmod(len(whole.units), order)
     turn = whole.plane.motion(rotation)
@@ -65,7 +67,7 @@ def sector(whole: Polygon, rotation: Quaternion, order: int) -> Sector | None:
 
 
 def least_rotation(plane: Plane, stabiliser: Quaternion, order: int) -> Quaternion:
-    """Return the power of a generator of the stabiliser of the centre that turns by 2π/order."""
+    """Return the power of a generator of the centre's stabiliser that turns by 2π/order."""
     powers = [stabiliser**n for n in range(1, order)]
     a = [_diagonal(plane, g) for g in powers]
     return min(zip(powers, a, strict=True), key=lambda pair: cmath.phase(pair[1] ** 2) % math.tau)[
@@ -74,7 +76,7 @@ def least_rotation(plane: Plane, stabiliser: Quaternion, order: int) -> Quaterni
 
 
 def _diagonal(plane: Plane, g: Quaternion) -> complex:
-    """Return a where a unit that fixes the centre moves z to (a/conj(a))·z in the disc."""
+    """Return a for a unit that fixes the centre, which maps z in the disc to (a/conj(a))·z."""
     real, scalar = plane.order.real, plane.order.scalar
     # the part of trace 0 is a multiple of the centre
     return complex(

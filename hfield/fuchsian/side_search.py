@@ -1,7 +1,7 @@
-"""Dirichlet domains in floats from a search of units: the bounding units, and whether more are needed.
+"""Dirichlet domains in floats: the bounding units, and whether more units are needed.
 
-Units are reduced by one another until those that bound a polygon pair its sides (Voight,
-*J. Théor. Nombres Bordeaux* 21, 2009). Nothing here is a proof; ``dirichlet`` has it.
+Units are reduced by one another until those that bound a polygon pair its sides (Voight, *J. Théor. Nombres
+Bordeaux* 21, 2009). Nothing here is a proof; the proof is in ``dirichlet``.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ SQUARE = np.array([0.9, 0.9j, -0.9, -0.9j])
 class Shape:
     """The polygon of the points nearer to the centre than to its images by some units.
 
-    The line halfway to z = g·0 is where ``Re(conj(w)·p) = 1`` in Klein's model, for the dual point w =
-    1/conj(z): corners of the convex hull of the dual points are sides. ``rows`` are the units of
-    the sides, counterclockwise.
+    The line halfway to z = g·0 is ``Re(conj(w)·p) = 1`` in Klein's model, for the dual point w = 1/conj(z).
+    The corners of the convex hull of the dual points correspond to the sides. ``rows`` are the units of the
+    sides, counterclockwise.
     """
 
     def __init__(self, sight: Sight, rows: Rows) -> None:
@@ -54,10 +54,11 @@ class Shape:
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
     def beyond(self, points: Points) -> Rows:
-        """Return the number of a side beyond which each point lies, −1 for one inside.
+        """Return for each point the number of a side that separates it from the polygon, −1 for a point
+        inside.
 
-        It is about that nearest to the point's image: what lies beyond any side lies beyond the one in its
-        direction, seen from 0, and sides beside that may be better.
+        It is approximately the side whose inverse unit moves the point nearest to the centre. A point outside
+        the polygon lies beyond the side in its direction from 0; neighbouring sides may be better.
         """
         found = np.full(len(points), -1)
         count = len(self.rows)
@@ -78,13 +79,13 @@ class Shape:
         return found
 
     def _towards(self, points: Points) -> Rows:
-        """Return the number of the side in the direction of each point, or of one beside it."""
+        """Return the number of the side in the direction of each point, or of an adjacent one."""
         turns = np.angle(self.corners)
         first = int(turns.argmin())
         return np.searchsorted(np.roll(turns, -first), np.angle(points)) - 1 + first
 
     def gaps(self) -> tuple[Floats, Floats]:
-        """Return the arcs of the circle that belong to the polygon: where each begins, and how wide it is."""
+        """Return the arcs of the circle that belong to the polygon, as starting angles and widths."""
         if not len(self.dual):
             return np.zeros(1), np.full(1, 2 * np.pi)
         angle, half = np.angle(self.dual), np.arccos(1 / abs(self.dual))
@@ -94,7 +95,7 @@ class Shape:
         return start[wide], width[wide]
 
     def inside(self, points: Points) -> Points:
-        """Return images of points of Klein's model in the polygon."""
+        """Return images of points of Klein's model that lie in the polygon."""
         points = points.copy()
         for _ in range(STEPS):
             far = np.flatnonzero((side := self.beyond(points)) >= 0)
@@ -107,7 +108,7 @@ class Shape:
     def reduced(self, rows: Rows) -> Rows:
         """Multiply units by those of sides until they move the centre into the polygon; drop ±1.
 
-        Units so far away that rounding turns them around for ever are left out.
+        Units that are so far away that rounding would make the loop endless are left out.
         """
         done = []
         for _ in range(STEPS):
@@ -121,11 +122,13 @@ class Shape:
         return np.concatenate(done) if done else rows
 
     def cutting(self) -> Rows:
-        """Return units that cut off ends of sides which the inverse of the side's unit maps outside."""
+        """Return units that cut off the ends of sides that the side's inverse unit maps outside the
+        polygon.
+        """
         new = []
         angle, half = np.angle(self.dual), np.arccos(np.minimum(1, 1 / abs(self.dual)))
         for corners, turn in ((self.corners, -half), (np.roll(self.corners, -1), half)):
-            # where the next side is not met, the end is on the circle
+            # if the next side is not met, the end is on the circle
             ends = np.where(abs(corners) < 1 + EQUAL_WITHIN, corners, np.exp(1j * (angle + turn)))
             side = self.beyond(moved(self.a.conj(), -self.b, ends))
             cut = side >= 0
@@ -143,9 +146,10 @@ class Shape:
 
 
 def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
-    """Return the polygon that the found units of a group bound; it is the group's when no unit is missing.
+    """Return the polygon bounded by the found units of a group; it is the group's domain if no unit is
+    missing.
 
-    ``rows`` are units of sides, with their inverses, ``new`` are others.
+    ``rows`` are units of sides and their inverses; ``new`` are others.
     """
     tried: set[tuple[int, ...]] = set()  # rounding may ask for the same unit for ever
     while True:
@@ -162,7 +166,9 @@ def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
 
 
 def corners(dual: Points) -> Points:
-    """Return where each of the lines with these dual points meets the one before, in Klein's model."""
+    """Return the intersection of each line, given by its dual point, with the previous one, in
+    Klein's model.
+    """
     before = np.roll(dual, 1)
     area = (before.conj() * dual).imag
     area[abs(area) < 1e-12] = 1e-12
@@ -176,7 +182,7 @@ def moved(a: Points, b: Points, z: Points) -> Points:
 
 
 def hull(points: Points) -> list[int]:
-    """Return the corners of the convex hull of points, counterclockwise, by their numbers."""
+    """Return the indices of the corners of the convex hull of points, counterclockwise."""
     turned = points * np.exp(0.7371j)  # symmetric points have no real part in common
     x, y = turned.real.tolist(), turned.imag.tolist()
     order = np.argsort(turned.real).tolist()

@@ -1,4 +1,4 @@
-"""An order with the real place at which its algebra splits, from which its group is computed."""
+"""An order together with the real place at which its algebra splits."""
 
 from __future__ import annotations
 
@@ -37,10 +37,11 @@ TwoSided = tuple[Sequence[Quaternion], BaseNumber]
 
 
 class SplitOrder:
-    """An order in an algebra that splits at one real place and at no other infinite one.
+    """An order in an algebra that splits at exactly one infinite place, which is real.
 
-    Exact numbers are elements of ``base.field``; here are their values at that place, and coordinates with
-    respect to ``basis``, a basis of the order over ℤ. Raises :class:`IndefiniteError` for other algebras.
+    Exact numbers are elements of ``base.field``. The methods give their values at the split place, and
+    coordinates with respect to ``basis``, a basis of the order over ℤ. Raises :class:`IndefiniteError` for
+    other algebras.
     """
 
     def __init__(self, order: LatticeValue, basis: Sequence[Quaternion] | None = None) -> None:
@@ -78,27 +79,27 @@ class SplitOrder:
     # --- numbers -----------------------------------------------------------------------------------
 
     def scalar(self, x: object) -> BaseNumber:
-        """Return a number of the base field as an exact number."""
+        """Return a number of the base ring as an exact number."""
         return self.base.inside(x)
 
     def sign(self, x: BaseNumber) -> int:
-        """Return the sign of an exact number at the place, −1, 0 or 1."""
+        """Return the sign of an exact number at the split place: −1, 0 or 1."""
         return self.base.sign(x, self.place)
 
     def real(self, x: BaseNumber) -> float:
-        """Return about the value of an exact number at the place."""
+        """Return the approximate value of an exact number at the split place."""
         return self.base.real(x, self.place)
 
     def ball(self, x: BaseNumber) -> arb:
-        """Return a ball around the value, with flint's present precision."""
+        """Return a ball around the value, with flint's current precision."""
         return self.base.ball(x, self.place)
 
     def values_at_other_places(self, x: BaseNumber) -> list[float]:
-        """Return about the values at the other real places, where the norm is definite."""
+        """Return approximate values at the other real places, where the norm is definite."""
         return [self.base.real(x, v) for v in self.base.real_places if v != self.place]
 
     def root(self, x: BaseNumber) -> BaseNumber | None:
-        """Return a square root of an exact number, as one of the base ring, or None."""
+        """Return a square root of an exact number, as an element of the base ring, or None."""
         return self.base.square_root(x)
 
     # --- elements ----------------------------------------------------------------------------------
@@ -117,7 +118,7 @@ class SplitOrder:
 
     @cached_property
     def _inverse(self) -> fmpq_mat:
-        """The matrix from the coordinates in the ambient basis to those with respect to this one."""
+        """The matrix that changes ambient coordinates to coordinates with respect to ``basis``."""
         return self.order.ambient.rows(self.basis).inv()
 
     def rows(self, elements: list[Quaternion]) -> list[list[int]]:
@@ -132,11 +133,11 @@ class SplitOrder:
 
     @cached_property
     def products(self) -> list[list[int]]:
-        """The products of each element of the basis by each, row after row."""
+        """The products of all pairs of basis elements, row after row."""
         return self.rows([x * y for x in self.basis for y in self.basis])
 
     def traces_at_other_places(self, basis: tuple[Quaternion, ...]) -> list[list[float]]:
-        """Return about the values of tr(x·conj(y)) at the other real places, for all x and y of a basis."""
+        """Return approximate values of tr(x·conj(y)) at the other real places, for all x and y of a basis."""
         bars = [x.conjugate() for x in basis]
         return [
             self.values_at_other_places(self.scalar((x * y).trace())) for x in basis for y in bars
@@ -150,11 +151,13 @@ class SplitOrder:
     # --- the normaliser, and certificates ----------------------------------------------------------
 
     def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
-        """Return two-sided ideals and norms whose generators, with numbers and units of norm 1, generate
-        all elements of totally positive norm that normalise the order; or those with some norms.
+        """Return two-sided ideals with norms; their generators give the normalising elements of positive
+        norm.
 
-        They are O with units, 𝔞·O for ideals 𝔞 of the field, and what the norms, or all, need. Raises
-        :class:`LatticeError`, and :class:`TooLargeError`.
+        Positive means totally positive. With scalars and units of norm 1 the generators generate all such
+        elements, or those of the given norms. The ideals are O with units as norms, 𝔞·O for ideals 𝔞 of the
+        field, and one for each set of primes that is needed. Raises :class:`LatticeError`, and
+        :class:`TooLargeError`.
         """
         ideals = TwoSidedIdeals(self.order)
         chosen = [ideals.primes_of(m) for m in norms]
@@ -180,18 +183,18 @@ class SplitOrder:
         return found
 
     def written(self, g: Quaternion) -> object:
-        """Return an element as evidence has it."""
+        """Return an element in the notation of evidence."""
         return certificates.element_json(self.order.ambient, g)
 
     def claim(
         self, word: str, parts: list[str], shown: dict[str, object], *cited: str
     ) -> CertifiedClaim:
-        """Return a statement about the order that begins with a word, with its evidence."""
+        """Return a statement about the order that begins with ``word``, with its evidence."""
         return certificates.of_units(self.order, word, parts, shown, *cited)
 
 
 def _expect_one_split_place(order: LatticeValue) -> None:
-    """Raise :class:`IndefiniteError` unless the field is totally real and one real place splits."""
+    """Raise :class:`IndefiniteError` unless the field is totally real and exactly one real place splits."""
     ambient, base = order.ambient, order.ambient.base
     error = IndefiniteError(
         f"units of an order in {shorten(order.algebra)} are not motions of the hyperbolic plane: "
@@ -214,11 +217,12 @@ def _expect_one_split_place(order: LatticeValue) -> None:
 
 
 class TwoSidedIdeals:
-    """The invertible two-sided ideals of an Eichler order: 𝔞·∏J_P, 𝔞 of the field, P over the discriminant.
+    """The invertible two-sided ideals of an Eichler order: 𝔞·∏J_P with 𝔞 an ideal of the field, P |
+    discriminant.
 
-    J_P² = Pᵉ·O. Sets of primes are numbers: bit k is the k-th prime of the discriminant. Modulo numbers
-    and units of norm 1, elements that normalise the order are known by such an ideal and a generator of
-    its norm.
+    J_P² = Pᵉ·O. A set of primes is an integer: bit k stands for the k-th prime of the discriminant. Modulo
+    scalars and units of norm 1, a normalising element is determined by such an ideal and a generator of its
+    norm.
     """
 
     def __init__(self, order: LatticeValue) -> None:
@@ -238,12 +242,12 @@ class TwoSidedIdeals:
             )
 
     def norm(self, chosen: int) -> BaseIdeal:
-        """Return the norm of a product of J_P."""
+        """Return the norm of the product of the J_P of a set."""
         some = (p for k, p in enumerate(self.powers) if chosen >> k & 1)
         return prod(some, start=self.base.one)
 
     def primes_of(self, norm: object) -> int:
-        """Return the set of primes with a norm. Raises :class:`LatticeError` where there is none."""
+        """Return the set of primes with a given norm. Raises :class:`LatticeError` if there is none."""
         ideal = self.base.integral_ideal(norm)
         chosen = sum(1 << k for k, P in enumerate(self.primes) if self.base.valuation(ideal, P) > 0)
         if self.norm(chosen) != ideal:
@@ -254,9 +258,9 @@ class TwoSidedIdeals:
         return chosen
 
     def generated(self, chosen: int) -> list[TwoSided]:
-        """Return the 𝔞·∏J_P of a set, one for each class of 𝔞, whose norm has a totally positive generator.
+        """Return, for a set and each class of 𝔞, an ideal 𝔞·∏J_P whose norm has a totally positive generator.
 
-        With the generator. Of the empty set O is the first.
+        The generator is returned as well. For the empty set, O comes first.
         """
         norm = self.norm(chosen)
         found: list[TwoSided] = []

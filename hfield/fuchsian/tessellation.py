@@ -1,4 +1,4 @@
-"""The images of a Dirichlet domain that tile the disc: chosen exactly, placed in floats."""
+"""The images of a Dirichlet domain that tile the disc, chosen exactly and drawn with floats."""
 
 from __future__ import annotations
 
@@ -45,10 +45,11 @@ def move(a: complex, b: complex, points: NDArray[np.complex128]) -> NDArray[np.c
 
 
 def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:
-    """Return the images of a domain that can be seen, except itself, by the length of their words.
+    """Return the visible images of a domain, except the domain itself, in order of word length.
 
-    They are those larger than SMALLEST that are reached across the sides of such images, up to words of
-    ``depth`` sides. Images are the same where their units are, up to sign, in coordinates that are integers.
+    Visible images are those larger than SMALLEST that are reached across sides of visible images, by words of
+    up to ``depth`` sides. Two images are the same if their units are equal up to sign, which integer
+    coordinates decide.
     """
     plane, units = domain.polygon.plane, domain.polygon.units
     sight, order = Sight(plane), plane.order
@@ -82,13 +83,13 @@ def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:
 
 
 def _up_to_sign(row: list[int]) -> tuple[int, ...]:
-    """Return a row or its negative, the one whose first entry that is not 0 is positive."""
+    """Return a row or its negative, with a positive first nonzero entry."""
     lead = next(x for x in row if x)
     return tuple(row) if lead > 0 else tuple(-x for x in row)
 
 
 def _times(g: tuple[complex, complex], h: tuple[complex, complex]) -> tuple[complex, complex]:
-    """Return the motion g after h, of determinant 1 again."""
+    """Return the motion h followed by g, scaled to determinant 1."""
     (a, b), (c, d) = g, h
     p, q = a * c + b * d.conjugate(), a * d + b * c.conjugate()
     size = abs(abs(p) ** 2 - abs(q) ** 2) ** 0.5

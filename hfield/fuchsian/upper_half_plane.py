@@ -50,7 +50,9 @@ def _fixed_ball(order: SplitOrder, c: Quaternion) -> tuple[arb, arb]:
 
 
 def fixing(order: SplitOrder, z: complex, scale: int) -> Quaternion | None:
-    """Return an element of trace 0 that fixes about z, of about that size; None if too coarse."""
+    """Return an element of trace 0 of about size ``scale`` that fixes approximately z; None if ``scale`` is
+    too small.
+    """
     alpha, b, _ = _squares(order)
     p, q, r = z.real, -(abs(z) ** 2), 1.0
     if alpha > 0:

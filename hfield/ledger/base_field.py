@@ -1,4 +1,4 @@
-"""Propositions about the base field, on which the existence of inverses depends."""
+"""Propositions about the base field that determine whether inverses exist."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ def texts(F: Ring, q: Coordinates) -> list[str]:
 
 
 def known_equal(F: Ring, x: Scalar, y: Scalar) -> bool | None:
-    """Return whether x = y; None where they agree to all digits that are known, as in a local field.
+    """Return whether x = y; None if they agree to all known digits, as in a local field.
 
-    A number there that was found by Hensel's lemma stands for the root that begins with its digits.
+    In a local field a number found by Hensel's lemma stands for the root that begins with its digits.
     """
     try:
         return F.equal(x, y)
@@ -64,7 +64,9 @@ def _no_single_field() -> Decision:
 
 @dataclass(frozen=True)
 class LevelAbove:
-    """−1 is not a sum of ``bound`` squares in F; ``INFINITY`` says that F is formally real."""
+    """The claim that −1 is not a sum of ``bound`` squares in F; ``INFINITY`` means that F is
+    formally real.
+    """
 
     bound: float
 
@@ -82,7 +84,7 @@ class LevelAbove:
         return "formally-real" if self.bound == INFINITY else f"level-above{{{int(self.bound)}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Compare with the level of the field; refuted by squares that add up to −1."""
+        """Compare with the level of the field; a refutation gives squares that sum to −1."""
         if field is None:
             return _no_single_field()
         level = field.level
@@ -109,7 +111,7 @@ class LevelAbove:
 
 @dataclass(frozen=True)
 class IsDivisionAlgebra:
-    """Every nonzero element of H(F) is invertible: no nonzero element has norm 0."""
+    """The claim that every nonzero element of H(F) is invertible: only 0 has norm 0."""
 
     text: str = "every nonzero element of H(F) has an inverse"
     statement = "division"
@@ -147,14 +149,14 @@ def _counted(F: Ring) -> tuple[str, ...]:
     formula = structure.count(F, hamilton(F), "norm", F.zero)
     if F.order > COUNTED_BELOW:
         return (say("norm-zero-count", n=formula.value, formula=formula.formula),)
-    found = structure.confirm(F, hamilton(F))  # raises where formula and count differ
+    found = structure.confirm(F, hamilton(F))  # raises an error if formula and count differ
     zeros = found.norms[F.text(F.zero)]
     return (say("norm-zero-counted", n=zeros, m=found.elements, formula=formula.formula),)
 
 
 @dataclass(frozen=True)
 class PositiveNorm:
-    """q has an inverse exactly when N(q) > 0 (``sign`` = 1), in whatever order F has."""
+    """The claim that q is invertible if and only if N(q) > 0 (``sign`` = 1), for every ordering of F."""
 
     sign: int = 1
 
@@ -169,7 +171,7 @@ class PositiveNorm:
         return f"norm-criterion{{{'>' if self.sign > 0 else '<'}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Compare the criterion with N(q) ≠ 0 in the orders that the field has."""
+        """Compare the criterion with N(q) ≠ 0 in the orderings of the field."""
         if field is None:
             return search_panel(self)
         one = (field.one, *(field.zero,) * 3)

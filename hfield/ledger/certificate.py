@@ -17,9 +17,9 @@ from hfield.prover.decision import Decision
 def certificate(
     proposition: Proposition | None, decision: Decision | None, field: str
 ) -> dict[str, object] | None:
-    """Return the certificate ``hfield-cert/2`` of a decision, None where there is none to give.
+    """Return the certificate ``hfield-cert/2`` of a decision, or None if there is none.
 
-    One that the checker would reject, for what it cites too, is not given.
+    A certificate that the checker would reject, also because of its citations, is not returned.
     """
     if proposition is None or decision is None:
         return None
@@ -30,9 +30,9 @@ def certificate(
 
 
 def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, str], str]:
-    """Write the certificates of all rows, of corrections too; return their paths by id and field.
+    """Write the certificates of all rows and corrections; return their paths by id and field.
 
-    The directory is made if need be. Raises OSError where that or a file cannot be written.
+    The directory is created if necessary. Raises OSError if it or a file cannot be written.
     """
     directory.mkdir(parents=True, exist_ok=True)
     paths = {}
@@ -50,6 +50,6 @@ def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, 
 
 
 def write_certificate(path: Path, data: Mapping[str, object]) -> None:
-    """Write a certificate to a file, whole or not at all. Raises OSError."""
+    """Write a certificate to a file, completely or not at all. Raises OSError."""
     with whole_file(path) as part:
         part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

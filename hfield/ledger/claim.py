@@ -27,14 +27,16 @@ class Proposition(Protocol):
 
     @property
     def statement(self) -> str:
-        """The proposition as certificates state it (docs/reference/certificates.md)."""
+        """The proposition in the notation of certificates (docs/reference/certificates.md)."""
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
+        """Decide the proposition over ``field``; None means every commutative ring (or every field, if it
+        needs one).
+        """
 
 
 class TemplateProposition:
-    """A proposition that is written by forms, which name its parts in braces."""
+    """A proposition written by templates, with its parts named in braces."""
 
     in_words: ClassVar[str] = "{proposition.text}"
     in_certificates: ClassVar[str]
@@ -54,13 +56,13 @@ class TemplateProposition:
 class Claim:
     """One row of the ledger.
 
-    ``as_printed`` is None for a row that no program can check, and ``note`` says why; elsewhere
-    ``note`` says how the print was read, or why it fails. ``spoilt`` is the twin with one sign,
-    index or hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement
-    behind a refuted one. ``section`` is part of the id if it is not given; ``fields`` are the columns
-    in which the claim has a row, ``("-",)`` for a claim that is about no field. ``source`` is the document
-    that it comes from: a package and a file in it, or nothing and a path. ``language`` is the language
-    that ``printed`` quotes, where that is not English.
+    ``as_printed`` is None for a claim that no program can check, and then ``note`` says why; otherwise
+    ``note`` says how the print was read, or why it fails. ``spoilt`` is a variant with one sign, index or
+    hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement for a refuted one.
+    ``section`` is the section of the thesis; by default it is taken from the id. ``fields`` are the columns
+    in which the claim has a row, ``("-",)`` for a claim that is not about a field. ``source`` is the document
+    that contains it: a package and a file in it, or an empty package and a path. ``language`` is the language
+    of the quotation ``printed``, if it is not English.
     """
 
     id: str
@@ -84,23 +86,23 @@ class Claim:
 
     @property
     def quotation(self) -> str:
-        """The printed text; in quotation marks, with its language, where that is not English."""
+        """The printed text; if it is not in English, in quotation marks with its language."""
         return f"“{self.printed}” ({self.language})" if self.language else self.printed
 
     @property
     def fieldless(self) -> bool:
-        """Whether the claim is about no field."""
+        """Whether the claim is not about a field."""
         return self.fields == (NO_FIELD,)
 
     @property
     def checkable(self) -> bool:
-        """Whether a program can decide it."""
+        """Whether a program can decide the claim."""
         return self.as_printed is not None
 
 
 @dataclass(frozen=True)
 class Row:
-    """A claim decided over one field, as printed and, where that is refuted, as corrected."""
+    """A claim decided over one field, as printed and, if that is refuted, as corrected."""
 
     claim: Claim
     field: str
@@ -108,7 +110,7 @@ class Row:
     as_corrected: Decision | None
 
     def to_json(self, certificate: str | None = None) -> dict[str, object]:
-        """Return the row as fixed by the schema ``hfield-verify/1``; ``certificate`` names a file."""
+        """Return the row in the schema ``hfield-verify/1``; ``certificate`` is the name of a file."""
         return {
             "id": self.claim.id,
             "field": self.field,
@@ -122,13 +124,13 @@ class Row:
 
     @property
     def correction(self) -> str | None:
-        """The corrected statement, where the printed one is refuted."""
+        """The corrected statement, if the printed one is refuted."""
         refuted = self.as_printed.verdict == "refuted"
         return self.claim.corrected.text if refuted and self.claim.corrected else None
 
     @property
     def settled(self) -> bool:
-        """Whether there is a verdict, and a refuted print has a correction that is not refuted."""
+        """Whether there is a verdict, and a refuted claim has a correction that is not refuted."""
         if self.as_printed.verdict == "undecided":
             return False
         return self.as_corrected is None or self.as_corrected.verdict not in (
@@ -138,7 +140,7 @@ class Row:
 
 
 def by_claim(rows: Iterable[Row]) -> list[list[Row]]:
-    """Return the rows of each claim together, claims in the order in which they appear first."""
+    """Return the rows grouped by claim, with claims in the order of first occurrence."""
     found: dict[str, list[Row]] = {}
     for row in rows:
         found.setdefault(row.claim.id, []).append(row)
@@ -146,9 +148,9 @@ def by_claim(rows: Iterable[Row]) -> list[list[Row]]:
 
 
 def decide(claim: Claim, field: str) -> Row:
-    """Decide ``claim`` over the field named; the correction too where the print is refuted.
+    """Decide ``claim`` over the named field; if the printed claim is refuted, decide the correction as well.
 
-    ``field`` is the text of any field, ``"universal"``, or ``"-"`` for a claim about no field.
+    ``field`` is the text of any field, ``"universal"``, or ``"-"`` for a claim that is not about a field.
     """
     from hfield.fields.names import ring
 
@@ -165,7 +167,7 @@ def decide(claim: Claim, field: str) -> Row:
 class ComputedResult:
     """The result of a computation: whether the proposition holds, and the lines that show it.
 
-    ``witness`` holds the values at which it fails, where there are any to name.
+    ``witness`` contains values at which it fails, if there are any.
     """
 
     holds: bool
@@ -175,9 +177,9 @@ class ComputedResult:
 
 @dataclass(frozen=True)
 class Computed:
-    """A proposition about no field, decided by ``compute``, which runs on each call.
+    """A proposition that is not about a field, decided by ``compute``, which runs on each call.
 
-    There is no certificate for it: who doubts it runs it again.
+    It has no certificate; running it again checks it.
     """
 
     text: str
@@ -186,11 +188,11 @@ class Computed:
 
     @property
     def statement(self) -> str:
-        """The proposition in words; no certificate states it."""
+        """The proposition in words; there is no certificate for it."""
         return self.text
 
     def decide(self, field: Ring | None) -> Decision:
-        """Compute it; the field plays no part."""
+        """Compute the result; ``field`` is ignored."""
         found = self.compute()
         verdict = PROVED if found.holds else REFUTED
         witness = None if found.holds else dict(found.witness or {})

@@ -1,4 +1,4 @@
-"""Lay out the table of claims and fields for a terminal, with a mark for each verdict."""
+"""Lay out the table of claims and fields for a terminal, with a symbol for each verdict."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ class TerminalStyle:
     colour: bool = False
 
     def mark(self, verdict: str) -> str:
-        """Return the one-character mark of a verdict."""
+        """Return the one-character symbol of a verdict."""
         mark = (ASCII_MARKS if self.ascii_only else MARKS)[verdict]
         return self.paint(mark, _COLOURS[verdict])
 
     def paint(self, text: str, code: str) -> str:
-        """Colour a text by an ANSI code, where colours are wanted."""
+        """Colour a text by an ANSI code, if colours are enabled."""
         return f"\x1b[{code}m{text}\x1b[0m" if self.colour else text
 
     def bold(self, text: str) -> str:
-        """Set a text in bold, where colours are wanted."""
+        """Set a text in bold, if colours are enabled."""
         return self.paint(text, "1")
 
     @property
@@ -50,7 +50,7 @@ class TerminalStyle:
         return "-" if self.ascii_only else "─"
 
     def legend(self, verdicts: Sequence[str] = VERDICTS) -> str:
-        """Return the meaning of the marks, in lines as wide as the terminal."""
+        """Return the meaning of the symbols, wrapped to the width of the terminal."""
         lines, used = "", 0
         for v in verdicts:
             word, needed = v.replace("-", " "), len(v) + 2
@@ -68,7 +68,7 @@ def columns_of(rows: Sequence[Row]) -> list[str]:
 def marked(
     rows: Sequence[Row], marks: Mapping[str, str]
 ) -> tuple[list[str], list[tuple[Claim, list[str]]]]:
-    """Return the fields, and each claim with its marks as printed, nothing where it was not decided."""
+    """Return the fields, and each claim with its symbols as printed, empty where it was not decided."""
     fields = columns_of(rows)
     found = {(row.claim.id, row.field): marks[row.as_printed.verdict] for row in rows}
     claims = {row.claim.id: row.claim for row in rows}.values()
@@ -76,11 +76,11 @@ def marked(
 
 
 def matrix(rows: Sequence[Row], style: TerminalStyle) -> str:
-    """Lay out the verdicts as printed: one line a claim, one column a field.
+    """Lay out the verdicts as printed: one line per claim, one column per field.
 
-    Heads are written out where they fit, else short; more columns than fit go into blocks below
-    each other. A claim about no field shows its one mark in a column of its own only when it has
-    to; the caller leaves such rows to the summary.
+    Headings are written in full if they fit, else shortened; if there are too many columns they are divided
+    into blocks. A claim that is not about a field gets a separate column only if necessary; usually the
+    caller leaves such rows to the summary.
     """
     fields, lines = marked(rows, {v: style.mark(v) for v in VERDICTS})
     ids = max(len(claim.id) for claim, _ in lines)
@@ -130,5 +130,5 @@ def _block(
 
 
 def tally(rows: Sequence[Row]) -> Counter[str]:
-    """Count the rows by their verdict as printed."""
+    """Count the rows by verdict, as printed."""
     return Counter(row.as_printed.verdict for row in rows)

@@ -12,7 +12,7 @@ from hfield.syntax.brackets import split
 
 
 def read_column(text: str) -> str:
-    """Return the name of a column: of a ring in any spelling, ``universal`` or ``-``.
+    """Return the canonical name of a column: a ring in any notation, ``universal`` or ``-``.
 
     Raises :class:`hfield.errors.RingError` for a field that does not exist.
     """
@@ -21,7 +21,7 @@ def read_column(text: str) -> str:
 
 
 def split_columns(fields: RingName | Iterable[RingName]) -> list[str]:
-    """Read fields, or names of theirs, also with commas between them; the same one counts once."""
+    """Read fields or names of fields, also separated by commas; duplicates are removed."""
     several = isinstance(fields, Iterable) and not isinstance(fields, (Ring, str, type))
     each: Iterable[RingName] = fields if several else [fields]  # type: ignore[assignment]
     texts = (field if isinstance(field, str) else ring(field).name for field in each)
@@ -50,5 +50,5 @@ def head(field: str, ascii_only: bool = False) -> str:
 
 
 def panel_order(field: str) -> int:
-    """Return the place of a column in the panel; a field outside it comes last."""
+    """Return the position of a column in the panel; a field outside the panel comes last."""
     return PANEL.index(field) if field in PANEL else len(PANEL)

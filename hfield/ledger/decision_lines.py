@@ -30,10 +30,10 @@ from hfield.prover.statements.words import is_about_order
 from hfield.syntax import Compare, Node, weight
 
 _MAX_STEP_LENGTH = (
-    600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
+    600  # characters of a step; cofactors can fill pages, and are complete in JSON and certificates
 )
 _LABEL = 12
-_FALSE = {"==": "≠", "!=": "=", ">=": "<", ">": "≤", "<=": ">", "<": "≥"}  # what is true instead
+_FALSE = {"==": "≠", "!=": "=", ">=": "<", ">": "≤", "<=": ">", "<": "≥"}  # the true statement
 
 
 def decision_text(
@@ -56,7 +56,7 @@ def decision_text(
 def decision_lines(
     text: str, decision: Decision, field: str, style: TerminalStyle, algebra: str | None = None
 ) -> Iterator[str]:
-    """Yield verdict, steps, witness and what was assumed or tried, each wrapped beside its label."""
+    """Yield verdict, steps, witness and the assumptions or methods tried, each wrapped beside its label."""
     mark = replace(style, colour=False).mark(decision.verdict)
     verdict = f"{mark} {decision.verdict.replace('-', ' ')}"
     if decision.verdict != NOT_APPLICABLE:
@@ -80,7 +80,7 @@ def decision_lines(
 
 
 def scope_text(decision: Decision) -> str:
-    """Say where the statement holds, beyond the field it was decided over."""
+    """Return where the statement holds, beyond the field over which it was decided."""
     scope = decision.scope
     if scope is None or scope == FIELD:
         return ""
@@ -91,7 +91,7 @@ def scope_text(decision: Decision) -> str:
 
 
 def wrapped(label: str, text: str, style: TerminalStyle, indent: int = 0) -> list[str]:
-    """Return the label and the text beside it, wrapped to the width of the terminal."""
+    """Return the label with the text beside it, wrapped to the width of the terminal."""
     return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)
 
 
@@ -107,7 +107,7 @@ def worked_out(
 ) -> list[str]:
     """Evaluate the comparisons of a statement that fail at a witness: ``p·q = k ≠ −k = q·p``.
 
-    ``algebra`` is H if None. Returns nothing for a claim in words, or one with ``exists``.
+    ``algebra`` is H if None. Returns nothing for a claim in words, or a statement with ``exists``.
     """
     witness = witness or {}
     name = witness[STATED_FIELD][0] if STATED_FIELD in witness else field
@@ -120,7 +120,7 @@ def worked_out(
         if read.exists or weight(read.node) > MAX_WEIGHT:
             return []
         return list(_failures(_world(read, setting, F, witness), read, F))[:MAX_LINES]
-    except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
+    except (HFieldError, KeyError):  # in words, or with unknowns that the witness lacks
         return []
 
 
@@ -130,7 +130,7 @@ def _world(
     F: Ring,
     witness: Mapping[str, Sequence[str]],
 ) -> Evaluator[Scalar, bool, bool]:
-    """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
+    """Assign the values of the witness to the unknowns. Raises KeyError for one without a value."""
     own = {name: witness[name] for name, _ in statement.unknowns if name not in statement.helpers}
     if statement.ordered is not None:
         reals = Problem(statement, setting).over(ring("RR"))
@@ -161,7 +161,7 @@ def _failures(world: Evaluator[Scalar, bool, bool], statement: Statement, F: Rin
 
 
 def _side(world: Evaluator[Scalar, bool, bool], node: Node, F: Ring) -> tuple[str, str]:
-    """Return the text of a term and of its value, '' where it has none."""
+    """Return the text of a term and of its value; '' if it has no value."""
     value, defined = world.term(node)
     if not defined:
         return to_unicode(node), ""
@@ -169,7 +169,7 @@ def _side(world: Evaluator[Scalar, bool, bool], node: Node, F: Ring) -> tuple[st
 
 
 def _chain(left: str, x: str, sign: str, y: str, right: str) -> str:
-    """Join two terms and their values, each text once: ``p·q = k ≠ −k = q·p``."""
+    """Join two terms and their values without repeating equal texts: ``p·q = k ≠ −k = q·p``."""
     if sign == "=":
         return " = ".join(dict.fromkeys((left, x, right)))
     right = y if right == "e" else right

@@ -1,4 +1,4 @@
-"""Ledgers as TOML documents ``hfield-ledger/1``: the thesis's and a user's own."""
+"""Ledgers as TOML documents ``hfield-ledger/1``: that of the thesis, and a user's own."""
 
 from __future__ import annotations
 
@@ -51,10 +51,10 @@ class Propositions:
 
 
 def read_ledger(path: str | Path) -> tuple[Claim, ...]:
-    """Read anyone's ledger from a file, and see that every statement can be read somewhere.
+    """Read a user's ledger from a file, and check that every statement can be read over some field.
 
-    Raises :class:`LedgerError` for a file that is missing, is no TOML, or holds an unknown key, a
-    value of the wrong kind, an unreadable statement, a field that does not exist, or an id twice.
+    Raises :class:`LedgerError` for a file that is missing or not TOML, an unknown key, a value of the wrong
+    kind, an unreadable statement, a field that does not exist, or a repeated id.
     """
     try:
         content = Path(path).read_bytes()
@@ -71,13 +71,13 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
 
 
 def read_title(path: str | Path) -> str:
-    """Return the title of a ledger that can be read: what it says at its top, or the name of its file."""
+    """Return the title of a readable ledger, as given at its top, or the name of its file."""
     text = Path(path).read_text(encoding="utf-8-sig")
     return _Document(text, str(path)).title or Path(path).stem
 
 
 def read_ledgers(paths: Sequence[str | Path]) -> tuple[Claim, ...]:
-    """Read several ledgers as one. Raises :class:`LedgerError`, also for an id that comes twice."""
+    """Read several ledgers as one. Raises :class:`LedgerError`, also for a repeated id."""
     found: dict[str, str | Path] = {}
     out: list[Claim] = []
     for path in paths:
@@ -108,7 +108,7 @@ class ClaimTable(NamedTuple):
 
 
 class _Document:
-    """One file: its text, for the numbers of lines, and its tables."""
+    """One file: its text (for line numbers) and its tables."""
 
     def __init__(self, text: str, name: str, source: tuple[str, str] = ("", "")) -> None:
         self.text, self.name, self.source = text, name, source
@@ -131,7 +131,9 @@ class _Document:
         self.numbers: dict[str, int] = {}  # which table a claim is, by its id
 
     def claims(self, computed: Mapping[str, Propositions], verify: bool) -> tuple[Claim, ...]:
-        """Return the claims in their order; with ``verify`` each statement is tried in its fields."""
+        """Return the claims in order; with ``verify`` check that each statement can be read over
+        its fields.
+        """
         found: dict[str, Claim] = {}
         for number, table in enumerate(self.tables, 1):
             if not isinstance(table, dict):
@@ -149,7 +151,7 @@ class _Document:
         return tuple(found.values())
 
     def fail(self, claim: str | None, key: str, why: str) -> NoReturn:
-        """Raise :class:`LedgerError` about a key of a claim, with the number of its line."""
+        """Raise :class:`LedgerError` about a key of a claim, with the line number."""
         where = "" if claim is None else f", claim {shorten(claim)!r}"
         line = self._line(claim, key)
         at = "" if line is None else f":{line}"

@@ -22,7 +22,7 @@ class Erratum:
 
     @cached_property
     def refuted(self) -> list[Row]:
-        """The rows in which the print is refuted."""
+        """The rows in which the printed claim is refuted."""
         return [row for row in self.rows if row.as_printed.verdict == REFUTED]
 
     @cached_property
@@ -64,7 +64,7 @@ class Erratum:
         return lines
 
     def _outcome(self, corrected: bool) -> list[str]:
-        """Return each verdict with the columns that share it, ``refuted`` first."""
+        """Return each verdict with the columns that have it, ``refuted`` first."""
         rows = self.refuted if corrected else self.rows
         columns: dict[str, list[str]] = {}
         for row in rows:
@@ -88,7 +88,7 @@ def errata(rows: Sequence[Row]) -> list[Erratum]:
 
 
 def _size(row: Row) -> tuple[int, int, int, int]:
-    """Order refuted rows by how telling their witness is."""
+    """Return a sort key of refuted rows: the size of the witness."""
     witness = row.as_printed.witness
     texts = [text for values in (witness or {}).values() for text in values]
     general = row.field == UNIVERSAL or witness is None

@@ -26,9 +26,10 @@ SCHEMA = "hfield-explain/1"
 
 @dataclass(frozen=True)
 class Explanation:
-    """Rows of the ledger in full: one of a claim, or one of each claim of a section.
+    """Complete rows of the ledger: the row of a claim, or one row for each claim of a section.
 
-    It prints itself, and shows as LaTeX in a notebook. ``row`` is the first row, the only one of a claim.
+    It prints itself, and displays as LaTeX in a notebook. ``row`` is the first row, which is the only one for
+    a single claim.
     """
 
     rows: tuple[Row, ...]
@@ -39,7 +40,7 @@ class Explanation:
         return self.rows[0]
 
     def text(self, style: TerminalStyle | None = None) -> str:
-        """Write statement, reading, verdict, steps and witness, then the same of the correction."""
+        """Write statement, reading, verdict, steps and witness, then the same for the correction."""
         return "\n\n".join(_text(row, style or TerminalStyle()) for row in self.rows)
 
     def latex(self) -> str:
@@ -48,7 +49,7 @@ class Explanation:
         return rf"\begin{{array}}{{ll}} {body} \end{{array}}"
 
     def to_json(self) -> dict[str, object]:
-        """Return all of it as plain data, schema ``hfield-explain/1``; of several rows, a list of such."""
+        """Return everything as plain data, schema ``hfield-explain/1``; for several rows, a list."""
         if len(self.rows) == 1:
             return _data(self.row)
         return {"schema": SCHEMA, "results": [_data(row) for row in self.rows]}
@@ -68,10 +69,9 @@ class Explanation:
 
 
 def explain(claim: str, field: RingName | None = None) -> Explanation:
-    """Decide a claim over one field, or its name (QQ by default), and show each step.
+    """Decide a claim over one field (an object or a name, QQ by default), and show each step.
 
-    ``claim`` is its id, its name or its number in the thesis; the number of a section stands for all its
-    claims.
+    ``claim`` is an id, a name or a number in the thesis; the number of a section stands for all its claims.
 
     >>> explain("centre", "GF(4)").row.as_printed.verdict
     'proved'

@@ -27,7 +27,7 @@ from hfield.prover.steps import say
 
 @dataclass(frozen=True)
 class Centre(TemplateProposition):
-    """The centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
+    """The claim that the centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
 
     special: int = 2
 
@@ -35,7 +35,7 @@ class Centre(TemplateProposition):
     in_certificates = "centre{{{special}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Solve q·i = i·q, q·j = j·q by linear algebra in the field; over ℤ, its Smith form."""
+        """Solve q·i = i·q, q·j = j·q by linear algebra in the field; over ℤ, by the Smith form."""
         if field is None:
             return self._everywhere()
         basis = structure.centre(field, hamilton(field))
@@ -82,7 +82,7 @@ class Centre(TemplateProposition):
 
 
 def centre_equations() -> list[list[int]]:
-    """Return the coefficients of q·i = i·q and q·j = j·q over ℤ: eight rows, a column a coordinate."""
+    """Return the coefficients of q·i = i·q and q·j = j·q over ℤ: eight rows, one column per coordinate."""
     c = Constants(-1, 0, -1)
     units: list[Coordinates] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)]
     rows = []
@@ -96,7 +96,7 @@ def centre_equations() -> list[list[int]]:
 
 
 def _minor(rows: list[list[int]]) -> Evidence:
-    """Return, as evidence, three rows whose minor with the columns of i, j, k is not 0."""
+    """Return, as evidence, three rows whose minor in the columns of i, j, k is nonzero."""
     from flint import fmpz_mat
 
     columns = [1, 2, 3]
@@ -108,7 +108,7 @@ def _minor(rows: list[list[int]]) -> Evidence:
 
 @dataclass(frozen=True)
 class IsBasis:
-    """The vectors listed are a basis of the free module of rank ``dimension``."""
+    """The claim that the listed vectors are a basis of the free module of rank ``dimension``."""
 
     vectors: tuple[tuple[int, ...], ...]
     dimension: int

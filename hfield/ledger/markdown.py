@@ -1,4 +1,4 @@
-"""The report of ``hfield verify`` as Markdown: one table, the errata below it."""
+"""The report of ``hfield verify`` as Markdown: one table, with the errata below."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from hfield.ledger.wording import witness_text
 
 
 def markdown(rows: Sequence[Row], *, everything: bool = False) -> str:
-    """Write the rows as a table of marks, the errata, and with ``everything`` each row."""
+    """Write the rows as a table of symbols, the errata, and with ``everything`` each row."""
     fields, lines = marked(rows, MARKS)
     grid = [["claim", "", *map(head, fields)]]
     grid += [[claim.id, claim.name, *marks] for claim, marks in lines]
@@ -50,7 +50,7 @@ def _erratum(erratum: Erratum) -> str:
 
 
 def table(grid: Sequence[Sequence[str]]) -> str:
-    """Write a table; its first line is the head."""
+    """Write a table; its first line is the header."""
     lines = ["| " + " | ".join(_escape(cell) for cell in line) + " |" for line in grid]
     return "\n".join([lines[0], "|" + "---|" * len(grid[0]), *lines[1:]])
 

@@ -42,13 +42,13 @@ SUM_OF_ALL = Assertion("norm(q) == (q[0] + q[1] + q[2] + q[3])**2")
 
 @dataclass(frozen=True)
 class ModulusDefined:
-    """The modulus |q| = √N(q) exists in F for each q."""
+    """The claim that the modulus |q| = √N(q) exists in F for each q."""
 
     text = "N(q) is a square in F for each q, so that |q| = √N(q) exists"
     statement = "modulus-exists"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Search for a small q whose norm is not a square, or prove that every norm is one."""
+        """Search for a small q whose norm is not a square, or prove that every norm is a square."""
         if field is None:
             return search_panel(self)
         for q in chain(small_elements(field), self._norm_without_root(field)):
@@ -96,11 +96,11 @@ def small_elements(F: Ring) -> list[Coordinates]:
 
 @dataclass(frozen=True)
 class ModulusLaw:
-    """|pq| = |p||q|, or with ``operation`` "+" its spoilt twin |pq| = |p| + |q|.
+    """The claim |pq| = |p||q|, or with ``operation`` "+" the false variant |pq| = |p| + |q|.
 
-    √ is one fixed root for each square that has one, and the law holds if some choice makes it
-    hold. A choice x ↦ √x that is multiplicative exists exactly when F has characteristic 2 or −1 is
-    no square: otherwise √1 = √1·√1 gives √1 = 1, and √(−1)·√(−1) = −1 against √1.
+    √ is one fixed root for each square that has one, and the law holds if it holds for some choice of roots.
+    A multiplicative choice x ↦ √x exists if and only if F has characteristic 2 or −1 is not a square:
+    otherwise √1 = √1·√1 implies √1 = 1, which contradicts √(−1)·√(−1) = −1.
     """
 
     operation: str = "*"
@@ -116,7 +116,7 @@ class ModulusLaw:
         return f"modulus-law{{{self.operation}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Refute it on a few elements under every choice of their roots, or give the choice."""
+        """Refute the law on several elements for every choice of their roots, or give a choice that works."""
         if field is None:
             return search_panel(self)
         zero = field.zero
@@ -164,7 +164,7 @@ class ModulusLaw:
         )
 
     def _without_choice(self, F: Ring, sample: list[Coordinates]) -> dict[str, list[str]] | None:
-        """Return None if some choice satisfies the law, else p, q that break the choice √1 = 1."""
+        """Return None if some choice satisfies the law, else p, q that violate it under the choice √1 = 1."""
         norms = {F.key(norm(hamilton(F), q)): norm(hamilton(F), q) for q in sample}
         roots = {key: r for key, n in norms.items() if (r := F.sqrt(n)) is not None}
         roots[F.key(F.one)] = F.one

@@ -1,7 +1,7 @@
 """Lemma 1 of the thesis (1.1.3): multilinear maps are decided on tuples of basis vectors.
 
-The general k-linear form on V = F⁴ has an unknown entry for each basis tuple. All that is said here of it is
-an identity between polynomials with integer coefficients; so it holds over every commutative ring, and for
+The general k-linear form on V = F⁴ has an unknown entry for each basis tuple. All claims about it here are
+identities between polynomials with integer coefficients; so they hold over every commutative ring, and for
 maps to V coordinate by coordinate.
 """
 
@@ -41,24 +41,24 @@ def all_tuples(k: int) -> tuple[Tuple, ...]:
 
 
 def constant_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the n tuples that repeat one basis vector: what ``{e_{i_1}}_{i=1}^k`` names."""
+    """Return the n tuples that repeat one basis vector, written ``{e_{i_1}}_{i=1}^k``."""
     return tuple((n,) * k for n in range(N))
 
 
 def short_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return the tuples in which k − 1 indices vary and the last is fixed as that of e."""
+    """Return the tuples in which k − 1 indices vary and the last index is that of e."""
     return tuple((*t, 0) for t in all_tuples(k - 1))
 
 
 def spoilt_tuples(k: int) -> tuple[Tuple, ...]:
-    """Return all tuples but the last one."""
+    """Return all tuples except the last one."""
     return all_tuples(k)[:-1]
 
 
 class Form:
     """The general k-linear form: unknown entries ``h_t`` and arguments ``a1 … ak``, as polynomials.
 
-    ``extra`` names further unknowns wanted in the same polynomial ring.
+    ``extra`` names further unknowns in the same polynomial ring.
     """
 
     def __init__(self, k: int, extra: tuple[str, ...] = ()) -> None:
@@ -90,7 +90,9 @@ class Form:
     def at(
         self, slot: int, vector: list[flint.fmpz_mpoly], last: list[flint.fmpz_mpoly]
     ) -> flint.fmpz_mpoly:
-        """Return the value with ``vector`` in the slot, ``last`` at the end, general elsewhere."""
+        """Return the value with ``vector`` in the slot, ``last`` at the end, and general arguments
+        elsewhere.
+        """
         arguments = [*self.arguments[:-1], last]
         arguments[slot] = vector
         return self(*arguments)
@@ -100,7 +102,7 @@ class Form:
         return [self.one if m == n else self.zero for m in range(N)]
 
     def monomial(self, t: Tuple) -> flint.fmpz_mpoly:
-        """Return Π a_m[t_m], which the entry at t stands in front of."""
+        """Return Π a_m[t_m], the monomial whose coefficient is the entry at t."""
         term = self.one
         for a, n in zip(self.arguments, t, strict=True):
             term = term * a[n]
@@ -118,7 +120,7 @@ BY_EXPANDING = Evidence(Kind.IDENTITY)
 
 
 def for_every_k(core: str) -> str:
-    """Return the statement for the numbers of arguments named, read with induction on that number."""
+    """Return the statement for the given numbers of arguments, to be continued by induction."""
     return f"citing{{induction; {core}}}"
 
 
@@ -132,7 +134,7 @@ def _word(t: Tuple) -> str:
 
 @lru_cache(maxsize=64)
 def _determines(choice: Choice, k: int) -> bool:
-    """Return whether f = g follows if they agree on ``choice(k)``, over every field."""
+    """Return whether f = g follows, over every field, if they agree on ``choice(k)``."""
     form = Form(k)
     left = form(*form.arguments)
     for t in set(choice(k)):
@@ -144,7 +146,7 @@ def _determines(choice: Choice, k: int) -> bool:
 
 @dataclass(frozen=True)
 class DeterminedBy:
-    """k-linear maps that agree on ``choice(k)`` are equal, for each k in ``arities``."""
+    """The claim that k-linear maps that agree on ``choice(k)`` are equal, for each k in ``arities``."""
 
     choice: Choice
     arities: tuple[int, ...]
@@ -198,7 +200,7 @@ class DeterminedBy:
 
 @dataclass(frozen=True)
 class CurriedIsLinear:
-    """The claim that fixing the last argument as a basis vector leaves an m-linear map; false for power 2."""
+    """The claim that fixing the last argument at a basis vector leaves an m-linear map; false for power 2."""
 
     power: int = 1
 
@@ -217,7 +219,7 @@ class CurriedIsLinear:
         return for_every_k(f"curried-linear{{{self.power}}}")
 
     def decide(self, field: Ring | None) -> Decision:
-        """Expand both sides for m = 1, 2, each slot and each e₀."""
+        """Expand both sides for m = 1, 2, and each slot and e₀."""
         for m in (1, 2):
             form = Form(m + 1, ("s", "y", *(f"b{n}" for n in range(N))))
             s, y, *b = form.extra
@@ -244,7 +246,7 @@ def _expanded(step: str) -> Decision:
 
 
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
-    """A difference s² − s vanishes on GF(2), where a map is given by its values, not by its formula."""
+    """Return the decision over all fields; s² − s vanishes on GF(2), as maps are compared by values."""
     if field is not None and field.order == 2:
         return Decision(PROVED, EXHAUSTION, steps=(say("two-elements"),))
     return decision
@@ -252,7 +254,7 @@ def _over_all(field: Ring | None, decision: Decision) -> Decision:
 
 @dataclass(frozen=True)
 class LastArgument:
-    """``Σ_{i≤n} α_i f(…, e_i) = f(…, Σ_{i≤upper} α_i e_i)``, where V has n = 4 basis vectors."""
+    """The claim ``Σ_{i≤n} α_i f(…, e_i) = f(…, Σ_{i≤upper} α_i e_i)``, where V has n = 4 basis vectors."""
 
     upper: int = N
     arities: tuple[int, ...] = (1, 2, 3)
@@ -269,7 +271,7 @@ class LastArgument:
         return for_every_k(f"last-argument{{{self.upper}; {_numbers(self.arities)}}}")
 
     def decide(self, field: Ring | None) -> Decision:
-        """Expand both sides; a summand beyond the basis has an arbitrary vector b."""
+        """Expand both sides; for a summand beyond the basis an arbitrary vector b is used."""
         for k in self.arities:
             form = Form(k, (*(f"x{n}" for n in range(N + 1)), *(f"b{n}" for n in range(N))))
             x, b = form.extra[: N + 1], form.extra[N + 1 :]

@@ -1,4 +1,4 @@
-"""Reports as objects, for sessions and notebooks: they print themselves and show as LaTeX."""
+"""Reports as objects, for sessions and notebooks: they print themselves and display as LaTeX."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from hfield.ledger.selection import rows_to_decide
 
 @dataclass(frozen=True)
 class Report:
-    """Rows of the ledger, decided; ``rows`` are :class:`hfield.ledger.claim.Row` objects."""
+    """Decided rows of the ledger; ``rows`` are :class:`hfield.ledger.claim.Row` objects."""
 
     rows: tuple[Row, ...]
     chosen: bool = False
@@ -47,8 +47,8 @@ class Report:
 def verify(*names: str | Iterable[str], field: RingName | Iterable[RingName] = ()) -> Report:
     """Decide claims of the thesis and show the table, with the errata.
 
-    ``names`` are ids, names or numbers, or lists of them (all claims without any), ``field`` is a field, its
-    name, names with commas between them, or several of these (the whole panel without any).
+    ``names`` are ids, names or numbers, or lists of them (by default all claims). ``field`` is a field, its
+    name, several names separated by commas, or a list of these (by default the whole panel).
 
     >>> [row.as_printed.verdict for row in verify("centre", field="GF4,QQ").rows]
     ['proved', 'proved']

@@ -1,6 +1,6 @@
-r"""Decisions, claims and reports as LaTeX that is fit for a paper: formulas, steps, witnesses, scopes.
+r"""Decisions, claims and reports as LaTeX for papers: formulas, steps, witnesses, scopes.
 
-What is returned stands in a document with amsmath, amssymb and longtable, as of
+The results are for a document with amsmath, amssymb and longtable, such as that of
 :func:`hfield.latex.document`.
 """
 
@@ -22,12 +22,12 @@ from hfield.prover.statements.printing import to_latex
 from hfield.prover.statements.trees import conjuncts
 from hfield.syntax import parse
 
-MAX_STEPS, MAX_LETTERS = 12, 600  # of one proof; its certificate has it whole
-MAX_INLINE_LENGTH = 60  # letters of a statement that stands on a line of its own
+MAX_STEPS, MAX_LETTERS = 12, 600  # of one proof; its certificate contains all of them
+MAX_INLINE_LENGTH = 60  # letters of a statement on a line of its own
 
 
 def statement(text: str) -> str:
-    """Set a statement of the language, displayed if it is short, else broken over lines; words as words."""
+    """Typeset a statement: a short one as a display, a long one broken over lines; words as words."""
     try:
         parts = [to_latex(part) for part in conjuncts(parse(text))]
     except NotationError:
@@ -44,7 +44,7 @@ def statement(text: str) -> str:
 
 
 def decision(text: str, decided: Decision, field: str, algebra: str | None = None) -> str:
-    """Set a statement, its verdict with method and scope, the witness worked out, and the steps."""
+    """Typeset a statement, its verdict with method and scope, the evaluated witness, and the steps."""
     parts = [statement(text), rf"\noindent {_verdict(decided, field, algebra)}"]
     witness = witness_text(decided.witness, field)
     if witness:
@@ -72,7 +72,7 @@ def _verdict(decided: Decision, field: str, algebra: str | None) -> str:
 
 
 def explanation(row: Row) -> str:
-    """Set a row of the ledger in full: the claim, its decision, and that of its correction."""
+    """Typeset a row of the ledger in full: the claim, its decision, and that of its correction."""
     claim = row.claim
     parts = [rf"\paragraph{{{words(claim.id)} {words(claim.name)}}} {words(claim.statement)}."]
     if claim.printed not in ("", "—"):
@@ -92,7 +92,7 @@ def explanation(row: Row) -> str:
 
 
 def marks(rows: Sequence[Row]) -> str:
-    """Set the claims × fields table of marks, with their meaning below."""
+    """Typeset the claims × fields table of symbols, with their meaning below."""
     fields, lines = marked(rows, {v: f"${mark}$" for v, mark in LATEX_MARKS.items()})
     head = ["", *(rf"\scriptsize${_head(field)}$" for field in fields)]
     body = ([words(claim.id), *own] for claim, own in lines)
@@ -106,7 +106,7 @@ def _head(field: str) -> str:
 
 
 def slips(rows: Sequence[Row]) -> str:
-    """Set the errata; nothing where there are none."""
+    """Typeset the errata; nothing if there are none."""
     return "\n\n".join(map(_erratum, errata(rows)))
 
 
@@ -123,7 +123,7 @@ def _erratum(erratum: Erratum) -> str:
 
 
 def report(rows: Sequence[Row], everything: bool = False) -> str:
-    """Set what ``hfield verify`` reports: marks, totals, errata; with ``everything`` each row."""
+    """Typeset the report of ``hfield verify``: symbols, totals, errata; with ``everything`` each row."""
     parts = [r"\section*{Claims, as printed}", marks(rows), words(totals(rows))]
     shown = slips(rows)
     if shown:
@@ -134,7 +134,7 @@ def report(rows: Sequence[Row], everything: bool = False) -> str:
 
 
 def claims(chosen: Iterable[Claim]) -> str:
-    """Set a list of claims: id, name, kind and statement."""
+    """Typeset a list of claims: id, name, kind and statement."""
     body = ([words(c.id), words(c.name), words(c.kind), words(c.statement)] for c in chosen)
     head = ("claim", "name", "kind", "statement")
     columns = "lp{32mm}p{22mm}p{78mm}"

@@ -1,4 +1,4 @@
-"""Propositions and how they combine: statements of the language, logic between closed ones, relations."""
+"""Propositions and their combinations: statements of the language, logic between closed ones, relations."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from hfield.syntax import Node
 
 
 def written(node: Node | str) -> str:
-    """Return a tree as text, and a text as it is."""
+    """Return a tree as text; return a text unchanged."""
     return node if isinstance(node, str) else to_text(node)
 
 
@@ -29,7 +29,7 @@ def written(node: Node | str) -> str:
 class Assertion:
     """A statement of the language, for all values of its unknowns; ``given`` are hypotheses.
 
-    ``words`` say it to people, where the formula is too long to read. ``algebra`` is H if None.
+    ``words`` describe it in prose, if the formula is too long to read. ``algebra`` is H if None.
     """
 
     formula: str
@@ -56,9 +56,10 @@ class Assertion:
         return " => ".join(f"({part})" for part in parts) if self.given else self.formula
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it by the prover; a proof over every commutative ring also holds over the field.
+        """Decide the statement with the prover; a proof over every commutative ring also holds over the
+        field.
 
-        Where the field has no such constants as the statement names, it means nothing there.
+        If the field lacks constants that the statement names, the statement has no meaning over it.
         """
         if field is not None and self.algebra is None:
             general = from_general_proof(self.formula, self.given, field)
@@ -72,7 +73,7 @@ class Assertion:
 
 @dataclass(frozen=True)
 class Every:
-    """All of several propositions: refuted by the first that is refuted."""
+    """The conjunction of several propositions; refuted by the first one that is refuted."""
 
     parts: tuple[Proposition, ...]
     words: str = ""
@@ -88,7 +89,7 @@ class Every:
         return f"every{{{'; '.join(part.statement for part in self.parts)}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide every part; the first part that is not proved decides the whole."""
+        """Decide every part; the first part that is not proved determines the result."""
         steps: list[str] = []
         methods: list[str] = []
         decisions: list[Decision] = []
@@ -118,7 +119,7 @@ def decided(decision: Decision) -> dict[str, object]:
 
 
 def cited(*decisions: Decision) -> tuple[str, ...]:
-    """Return the theorems that several decisions assume, each once."""
+    """Return the theorems that several decisions assume, without repetitions."""
     return tuple(dict.fromkeys(text for decision in decisions for text in decision.assumes))
 
 
@@ -126,8 +127,8 @@ def cited(*decisions: Decision) -> tuple[str, ...]:
 class Implication(TemplateProposition):
     """``hypothesis ⇒ conclusion`` between propositions about the field alone.
 
-    Over all fields at once it is proved by ``everywhere``; without that, a field of the panel is
-    looked for that refutes it.
+    Over all fields at once it is proved by ``everywhere``; if that is missing, a field of the panel that
+    refutes it is searched for.
     """
 
     hypothesis: Proposition
@@ -138,7 +139,7 @@ class Implication(TemplateProposition):
     in_certificates = "implies{{{hypothesis.statement}; {conclusion.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide both sides over ``field``; vacuous where the hypothesis is refuted."""
+        """Decide both sides over ``field``; vacuous if the hypothesis is refuted."""
         if field is None:
             return by_lemmas(self.everywhere) if self.everywhere else search_panel(self)
         first = self.hypothesis.decide(field)
@@ -158,7 +159,7 @@ class Implication(TemplateProposition):
 
 @dataclass(frozen=True)
 class Equivalence(TemplateProposition):
-    """``left ⇔ right`` between propositions about the field alone; as :class:`Implication`."""
+    """``left ⇔ right`` between propositions about the field alone; see :class:`Implication`."""
 
     left: Proposition
     right: Proposition
@@ -196,9 +197,9 @@ RELATIONS = ("i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e")
 
 @dataclass(frozen=True)
 class Presented:
-    """Each of ``goals`` holds in every associative algebra in which the relations hold.
+    """The claim that each of ``goals`` holds in every associative algebra that satisfies the relations.
 
-    With ``identity`` e is the identity of the algebra, else just another letter.
+    With ``identity``, e is the identity of the algebra; otherwise it is a letter like the others.
     """
 
     goals: tuple[str, ...]
@@ -206,16 +207,16 @@ class Presented:
 
     @property
     def text(self) -> str:
-        """The relations and the goals as one writes them."""
+        """The relations and the goals in usual notation."""
         unit = "with identity e" if self.identity else "with basis (e,i,j,k)"
         goals = ", ".join(self.goals).replace("*", "").replace("==", "=").replace("-", "−")
         return f"in an associative algebra {unit}, i² = j² = k² = ijk = −e ⇒ {goals}"
 
     @property
     def statement(self) -> str:
-        """The statement in the form of certificates."""
+        """The statement in the notation of certificates."""
         return presentation_text(RELATIONS, self.goals, self.identity)
 
     def decide(self, field: Ring | None) -> Decision:
-        """Rewrite each goal by the relations in ℤ⟨e,i,j,k⟩, or find an algebra where one fails."""
+        """Rewrite each goal by the relations in ℤ⟨e,i,j,k⟩, or find an algebra in which one fails."""
         return decide_presentation(RELATIONS, self.goals, field=field, identity=self.identity)

@@ -1,7 +1,7 @@
 """Propositions of real geometry: angles as points of the circle, and theorems of analysis.
 
-An angle is met through the point (cos θ, sin θ) alone. What only speaks of points (c, s) with
-c² + s² = 1 has a meaning over every commutative ring; over RR they are the angles, which is cited.
+An angle occurs only as the point (cos θ, sin θ). A claim about points (c, s) with c² + s² = 1 has a meaning
+over every commutative ring; over RR these points are the angles, which is cited.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ REAL = "RR"
 
 @dataclass(frozen=True)
 class Angles:
-    """A claim on angles: ``core`` about points of the circle, and ``real``, the further condition over RR.
+    """A claim about angles: ``core`` about points of the circle, and ``real``, a further condition over RR.
 
-    Over RR, and over all fields, of which it is one, the decision cites that the points of the circle
-    are the points (cos θ, sin θ). Over any other field ``real`` is not looked at.
+    Over RR, and over all fields (which include RR), the decision cites that the points of the circle are the
+    points (cos θ, sin θ). Over any other field ``real`` is ignored.
     """
 
     core: Proposition

@@ -22,10 +22,10 @@ _POLISH |= {"przykład": "example", "przyklad": "example", "tabela": "table", "t
 
 @lru_cache(maxsize=1)
 def claims() -> tuple[Claim, ...]:
-    """Return all claims by section, those of other packages included.
+    """Return all claims by section, including those of other packages.
 
-    They add theirs as entry points ``hfield.claims``, which come in any order. Sections that are no
-    numbers come last.
+    Other packages add theirs as entry points ``hfield.claims``, in any order. Sections that are not numbers
+    come last.
     """
     return tuple(sorted((*CLAIMS, *_foreign()), key=_place))
 
@@ -42,7 +42,8 @@ def _foreign() -> Iterator[Claim]:
 
 
 def find_all(name: str) -> list[Claim]:
-    """Return the claims of the thesis with a name: that of a claim, its numbered words, or of a section.
+    """Return the claims of the thesis with a name, which may be a claim's id, numbered words such as "theorem
+    3", or a section.
 
     >>> [claim.id for claim in find_all("twierdzenie 3")]
     ['C1.3.1-z']
@@ -63,7 +64,7 @@ def find_all(name: str) -> list[Claim]:
 
 
 def _in_english(name: str) -> str:
-    """Return a name as the ledger spells it: small letters, hyphens, the thesis's words in English."""
+    """Return a name in the ledger's spelling: lower case, hyphens, the thesis's words in English."""
     if not isinstance(name, str):
         raise UnknownClaimError(
             f"a claim is named by a text such as 'theorem-3', not {name!s}; fields are field=…"
@@ -99,7 +100,7 @@ def _spellings() -> dict[str, int]:
 
 
 def _by_spelling(ledger: Sequence[Claim]) -> dict[str, int]:
-    """Return the place of the first claim with each id or name, in small letters."""
+    """Return the position of the first claim with each id or name, in lower case."""
     out: dict[str, int] = {}
     for n, claim in enumerate(ledger):
         out.setdefault(claim.id.lower(), n)
@@ -108,7 +109,7 @@ def _by_spelling(ledger: Sequence[Claim]) -> dict[str, int]:
 
 
 class UnknownClaimError(HFieldError, LookupError):
-    """A claim's id or name that is not in the ledger; the message has the nearest that are.
+    """A claim id or name that is not in the ledger; the message lists the nearest ones.
 
     >>> issubclass(UnknownClaimError, LookupError)
     True

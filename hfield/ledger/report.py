@@ -22,8 +22,8 @@ _WIDTH = 100
 def report(
     rows: Sequence[Row], style: TerminalStyle, *, chosen: bool = False, everything: bool = False
 ) -> str:
-    """Write the report. ``chosen`` tables all claims given, else the headline ones only;
-    ``everything`` lists every row as well.
+    """Write the report: a table of all given claims if ``chosen``, else of the headline claims;
+    ``everything`` adds every row.
     """
     shown = [row for row in rows if chosen or everything or row.claim.headline]
     rest = [] if chosen or everything else [row for row in rows if not row.claim.headline]
@@ -46,7 +46,7 @@ def report(
 
 
 def _legend(rows: Sequence[Row], style: TerminalStyle) -> str:
-    """Return the meaning of the marks, and of the two columns that are no fields."""
+    """Return the meaning of the symbols, and of the two columns that are not fields."""
     fields = {row.field for row in rows}
     lines = [style.legend()]
     if UNIVERSAL in fields:
@@ -57,7 +57,7 @@ def _legend(rows: Sequence[Row], style: TerminalStyle) -> str:
 
 
 def summary(rows: Sequence[Row], style: TerminalStyle) -> str:
-    """Count claims and rows by section and verdict, with totals; a narrow table has marks for heads."""
+    """Count claims and rows by section and verdict, with totals; a narrow table has symbols as headings."""
     sections = list(dict.fromkeys(row.claim.section for row in rows))
     words = ["section", "claims", *(v.replace("-", " ") for v in VERDICTS)]
     if sum(len(word) + 2 for word in words) > style.width:
@@ -117,7 +117,7 @@ def _plural(n: int, noun: str) -> str:
 
 
 def erratum_text(erratum: Erratum, style: TerminalStyle) -> str:
-    """Write one erratum: the print, where it fails, why, the witness, the correction."""
+    """Write one erratum: the printed text, where it fails, why, the witness, the correction."""
     claim = erratum.claim
     lines = [style.bold(f"{claim.id}  {claim.name}") + f"  ({claim.kind})"]
     return "\n".join(lines + [_wrap(label, text, style) for label, text in erratum.lines])

@@ -1,4 +1,4 @@
-"""Decide claims × fields through an executor, and find contradictions in the outcome."""
+"""Decide claims × fields with an executor, and find contradictions among the results."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ MIN_ROWS_PER_TASK = 6  # rows a task, which have to outweigh its journey
 def decide_rows(
     pieces: Sequence[Piece], executor: Executor, progress: Progress | None = None
 ) -> list[Row]:
-    """Decide every piece (a claim and the name of a field), in the order given.
+    """Decide every piece (a claim and the name of a field), in the given order.
 
-    The work goes to ``executor`` claim by claim, so that what is proved of a claim in general is proved once
-    and carried over to the fields by the same worker. ``progress`` is called with how many rows are done, of
-    how many, and the claim in work.
+    The work is divided by claim, so that a general proof of a claim is found once and transferred to the
+    fields by the same worker. ``progress`` is called with the number of finished rows, their total, and the
+    current claim.
     """
     chunks = _chunks(pieces)
     known = set(map(id, claims()))  # every process has these: their ids suffice
@@ -42,10 +42,10 @@ def decide_rows(
 
 
 def _chunks(pieces: Sequence[Piece]) -> list[range]:
-    """Return the indices of the pieces in runs, those with claims that compute without a field first.
+    """Return the indices of the pieces in groups, beginning with claims that are computed without a field.
 
-    They take longest, and what is long must not come last, when the other workers have nothing. A run ends
-    where a claim does, unless it has twice its length by then.
+    These take longest, and long tasks must not come last, when the other workers have nothing to do. A group
+    ends where a claim ends, unless it would exceed twice the group length.
     """
     size = max(MIN_ROWS_PER_TASK, -(-len(pieces) // TASKS))
     runs, start = [], 0
@@ -58,14 +58,14 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
 
 
 def _decide_chunk(task: Sequence[tuple[str | Claim, str]]) -> list[Verdicts]:
-    """Decide some rows; decisions are plain data."""
+    """Decide some rows; the decisions are plain data."""
     with collecting_rarely():  # in every process that works for one
         rows = (decide_row(find(x) if isinstance(x, str) else x, field) for x, field in task)
         return [(row.as_printed, row.as_corrected) for row in rows]
 
 
 def decide_row(claim: Claim, field: str) -> Row:
-    """Decide one claim over one field; what cannot be decided says why."""
+    """Decide one claim over one field; an undecided result includes the reason."""
     try:
         return decide(claim, field)
     except HFieldError as error:
@@ -73,7 +73,9 @@ def decide_row(claim: Claim, field: str) -> Row:
 
 
 def contradictions(rows: Sequence[Row]) -> list[str]:
-    """Return contradictions: proved in general and refuted over one field, or a refuted correction."""
+    """Return contradictions: a claim proved in general but refuted over one field, or a refuted
+    correction.
+    """
     everywhere = {row.claim.id: row for row in rows if row.field == UNIVERSAL}
     fields = {name for name in {row.field for row in rows} if _is_field(name)}
     found: dict[str, list[str]] = {}
@@ -98,7 +100,7 @@ def contradictions(rows: Sequence[Row]) -> list[str]:
 
 
 def as_expected(rows: Sequence[Row]) -> bool:
-    """Return whether every row has a verdict, none contradicts another, and every correction holds."""
+    """Return whether every row has a verdict, there are no contradictions, and every correction holds."""
     return all(row.settled for row in rows) and not contradictions(rows)
 
 

@@ -1,4 +1,4 @@
-"""Propositions about rings of their own choice: one ring, some, the panel, or all."""
+"""Propositions that choose their own rings: one ring, some, the panel, or all."""
 
 from __future__ import annotations
 
@@ -26,7 +26,9 @@ TRUE = ("proved", "vacuous")
 
 @dataclass(frozen=True)
 class Negation(TemplateProposition):
-    """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
+    """The claim that ``proposition`` fails over some field: proved by fields of the panel over which it
+    fails.
+    """
 
     proposition: Proposition
 
@@ -34,7 +36,9 @@ class Negation(TemplateProposition):
     in_certificates = "not-everywhere{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide over each field of the panel (or over the given one) and show the results."""
+        """Decide the proposition over each field of the panel (or over the given one) and show the
+        results.
+        """
         names = [field.name] if field else [name for name in PANEL if name != UNIVERSAL]
         found = {name: self.proposition.decide(ring(name)) for name in names}
         steps = [_found(name, decision) for name, decision in found.items()]
@@ -44,7 +48,7 @@ class Negation(TemplateProposition):
             witness = {"F": [name], **(first.witness or {})}
             evidence = Evidence(Kind.OVER, ring=ring(name).data, evidence=first.evidence)
             return Decision(PROVED, WITNESS, witness=witness, steps=tuple(steps), evidence=evidence)
-        # that it holds in each field of the panel shows nothing of the others
+        # that it holds in each field of the panel proves nothing about other fields
         general = found if field else {UNIVERSAL: self.proposition.decide(None)}
         settled = all(d.verdict in TRUE for d in general.values())
         return Decision(REFUTED if settled else UNDECIDED, THE_PANEL, steps=tuple(steps))
@@ -52,7 +56,7 @@ class Negation(TemplateProposition):
 
 @dataclass(frozen=True)
 class InField(TemplateProposition):
-    """A proposition about one named ring, whatever the column; for claims about no field.
+    """A proposition about one named ring, whatever the column; for claims that are not about a field.
 
     A witness names that ring under the key ``F``.
     """
@@ -63,7 +67,7 @@ class InField(TemplateProposition):
     in_certificates = "over{{{field}; {proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it over the ring named; ``field`` does not matter."""
+        """Decide the proposition over the named ring; ``field`` is ignored."""
         decision = self.proposition.decide(ring(self.field))
         if decision.verdict != "refuted":
             return decision
@@ -72,7 +76,7 @@ class InField(TemplateProposition):
 
 @dataclass(frozen=True)
 class OnlyOver(TemplateProposition):
-    """A proposition that has a meaning over some fields only; ``fits`` are their names."""
+    """A proposition that has a meaning only over some fields; ``fits`` are their names."""
 
     proposition: Proposition
     fits: tuple[str, ...]
@@ -82,7 +86,7 @@ class OnlyOver(TemplateProposition):
     in_certificates = "angles{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
-        """Decide it over the rings where it has a meaning."""
+        """Decide the proposition over the rings over which it has a meaning."""
         if field is None or field.name not in self.fits:
             return Decision(NOT_APPLICABLE, NO_MEANING, steps=(self.reason,))
         decision = self.proposition.decide(field)
@@ -123,7 +127,7 @@ def search_panel(proposition: Proposition) -> Decision:
 
 
 def witness_text(witness: Mapping[str, list[str]] | None) -> str:
-    """Write a witness in one line, such as ``p = (0,1,0,0), q = (0,0,1,0)``."""
+    """Write a witness on one line, such as ``p = (0,1,0,0), q = (0,0,1,0)``."""
     parts = []
     for name, values in (witness or {}).items():
         shown = values[0] if len(values) == 1 else f"({','.join(values)})"

@@ -9,7 +9,7 @@ from hfield.ledger.claim import NO_FIELD, Claim
 
 
 class SelectionError(HFieldError, ValueError):
-    """Claims, sections or fields that do not exist or do not go together.
+    """Claims, sections or fields that do not exist or cannot be combined.
 
     >>> issubclass(SelectionError, ValueError)
     True
@@ -29,11 +29,11 @@ def in_section(section: str, ledger: Sequence[Claim]) -> list[Claim]:
 def rows_to_decide(
     chosen: Sequence[Claim], fields: Sequence[str], strict: bool = False
 ) -> list[tuple[Claim, str]]:
-    """Pair claims with fields; no fields means all columns of each claim.
+    """Pair claims with fields; without fields, with all columns of each claim.
 
-    A claim about no field has its one row ``-`` and takes no field, another takes no ``-``. With
-    ``strict`` (claims named one by one) a claim about no field is given its row whatever field was
-    asked for, and a claim about fields refuses ``-`` with :class:`SelectionError`.
+    A claim that is not about a field has a single row ``-`` and no other; a claim about fields has no row
+    ``-``. With ``strict`` (claims named one by one) the former gets its row whatever field is given, and the
+    latter raises :class:`SelectionError` for ``-``.
     """
     if not fields:
         return [(claim, field) for claim in chosen for field in claim.fields]

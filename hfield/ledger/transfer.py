@@ -23,9 +23,10 @@ PLACES, SECONDS = 400, 5.0
 
 
 def from_general_proof(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
-    """Decide over a field by a proof over every commutative ring; None where there is none.
+    """Decide over a field by a proof over every commutative ring; None if there is none.
 
-    The hypotheses are seen to be satisfiable there, or else the verdict could be "vacuous".
+    The hypotheses are shown to be satisfiable over the field, because otherwise the verdict could be
+    "vacuous".
     """
     if not (field.is_exact and field.is_field):
         return None
@@ -37,7 +38,7 @@ def from_general_proof(formula: str, given: tuple[str, ...], field: Ring) -> Dec
 
 @dataclass(frozen=True)
 class _General:
-    """A statement that is proved over every commutative ring, as it is read there."""
+    """A statement that is proved over every commutative ring, together with its reading there."""
 
     problem: Problem
     decision: Decision
@@ -63,7 +64,7 @@ class _General:
 
 @lru_cache(maxsize=8192)
 def _general(formula: str, given: tuple[str, ...]) -> _General | None:
-    """Prove a statement over every commutative ring; None where that fails, or it speaks of fields."""
+    """Prove a statement over every commutative ring; None if that fails, or if it mentions fields."""
     setting = read_setting()
     try:
         statement = read_statement(formula, None, given, setting.letters, setting.constants)

@@ -1,9 +1,9 @@
 """The texts of a ledger in another language.
 
-Beside a ledger ``sheet.toml`` lies ``sheet.pl.toml`` with a table for each claim and a table of phrases,
-``"over {F} it is false" = "nad {F} jest to fałsz"``. What stands in braces is a formula, which stays, or is
-a phrase itself. A text that no phrase fits stays untranslated; nothing is guessed. ``names`` lists words that
-formulas have in them.
+Beside a ledger ``sheet.toml`` there may be a file ``sheet.pl.toml`` with a table for each claim and a table
+of phrases, ``"over {F} it is false" = "nad {F} jest to fałsz"``. The content of braces is a formula, which is
+kept, or a phrase. A text that matches no phrase stays untranslated; nothing is guessed. ``names`` lists words
+that occur in formulas.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _DEEPEST = 6  # phrases within phrases
 
 @dataclass(frozen=True)
 class TranslatedClaim:
-    """The texts of a claim in another language; ``holds`` and ``corrected`` for propositions in words."""
+    """The texts of a claim in another language; ``holds`` and ``corrected`` are for propositions in words."""
 
     name: str
     statement: str
@@ -119,7 +119,8 @@ class Translation:
 
 
 def is_formula(text: str, names: frozenset[str] = SIGNS) -> bool:
-    """Return whether a text has no words: letters, products of the basis, names, or a statement's syntax.
+    """Return whether a text has no words, but only letters, products of the basis, names, or a statement's
+    syntax.
 
     >>> is_formula("q = 1 + ijk"), is_formula("p == 0 or q == 0"), is_formula("q is 0")
     (True, True, False)
@@ -136,7 +137,7 @@ def is_formula(text: str, names: frozenset[str] = SIGNS) -> bool:
 
 
 def _in_signs(text: str) -> str:
-    """Write a statement of the language without its English words; leave every other formula."""
+    """Write a statement of the language without its English words; leave any other formula unchanged."""
     if not re.search(r"\b(and|or|not|exists)\b", text):
         return text
     text = to_unicode(parse(text))
@@ -169,7 +170,7 @@ class _LedgerTexts:
 
 @cache
 def _document(source: Source, language: str) -> _LedgerTexts:
-    """Read the texts beside a ledger; nothing where there are none."""
+    """Read the texts beside a ledger; nothing if there are none."""
     package, ledger = source
     name = f"{ledger.removesuffix('.toml')}.{language}.toml"
     path = files(package) / name if package else Path(name)

@@ -15,7 +15,7 @@ STATED_FIELD = "F"  # the key of a witness that names the field it lives in
 
 
 def pretty(text: str) -> str:
-    """Write a statement of the language with mathematical signs; words stay as they are.
+    """Write a statement of the language with mathematical signs; words are unchanged.
 
     >>> pretty("p*q == conj(q)*p**2")
     'p·q = q̄·p²'
@@ -27,7 +27,7 @@ def pretty(text: str) -> str:
 
 
 def over(field: str) -> str:
-    """Return over which ring a decision was made, in words."""
+    """Return the ring over which a decision was made, in words."""
     named = {UNIVERSAL: "over every commutative ring", NO_FIELD: "about no field in particular"}
     return named.get(field, f"over {field}")
 
@@ -47,9 +47,9 @@ def name_fields(some: Sequence[str], every: Sequence[str]) -> str:
 
 
 def witness_text(witness: Mapping[str, Sequence[str]] | None, field: str) -> str:
-    """Write a witness in one line, four coordinates as an element: ``p = i, q = 1 + j``.
+    """Write a witness on one line, with four coordinates as an element: ``p = i, q = 1 + j``.
 
-    A witness that brings its own field names it: ``q = 1 + i over GF(2)``.
+    A witness with its own field names it: ``q = 1 + i over GF(2)``.
     """
     where = "" if field in (UNIVERSAL, NO_FIELD) else field
     if witness and STATED_FIELD in witness:

@@ -1,4 +1,4 @@
-"""Characteristic polynomials over S = F[X]/(X² − tX − a), commutative, without division."""
+"""Division-free characteristic polynomials over the commutative ring S = F[X]/(X² − tX − a)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def characteristic_polynomial(
 ) -> list[Pair]:
     """Return the coefficients of det(x − M), low degree first (S. Berkowitz, Inf. Proc. Letters 18 (1984)).
 
-    Each leading block adds a column and a row to the one before; products with powers of that block make a
+    Each leading block adds a column and a row to the previous one; products with powers of that block form a
     Toeplitz matrix, by which the coefficients are multiplied.
     """
     zero, one = (ring.zero, ring.zero), (ring.one, ring.zero)

@@ -1,6 +1,6 @@
-"""Arrays of matrices of floating-point quaternions as pairs of complex ones: U + V·J, J·z = z̄·J, J² = −1.
+"""Arrays of matrices of float quaternions as pairs of complex matrices: U + V·J, J·z = z̄·J, J² = −1.
 
-A column p + q·J is stored as (p, −q̄), so that [[U, V], [−V̄, Ū]] times it is its image, and complex numbers
+A column p + q·J is stored as (p, −q̄), so that its image is [[U, V], [−V̄, Ū]] times it, and complex numbers
 act on it from the right (F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251,
 1997).
 """
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Pair:
-    """U + V·J, two arrays of complex matrices of one shape."""
+    """The matrix U + V·J, as two arrays of complex matrices of the same shape."""
 
     u: Complex
     v: Complex
@@ -39,11 +39,11 @@ class Pair:
         return Pair(u @ x - v @ y.conj(), u @ y + v @ x.conj())
 
     def copy(self) -> Pair:
-        """Return the same in arrays of its own."""
+        """Return a copy with its own arrays."""
         return Pair(self.u.copy(), self.v.copy())
 
     def scaled(self, factors: float | NDArray[np.float64]) -> Pair:
-        """Return this with its columns, or all of it, times real numbers."""
+        """Return the matrix with its columns, or the whole matrix, multiplied by real numbers."""
         return Pair(self.u * factors, self.v * factors)
 
     def minus(self, other: Pair) -> Pair:
@@ -52,7 +52,7 @@ class Pair:
 
     @property
     def H(self) -> Pair:
-        """The adjoint."""
+        """The conjugate transpose."""
         return Pair(self.u.conj().mT, -self.v.mT)
 
     def __getitem__(self, place: Place) -> Pair:
@@ -78,7 +78,7 @@ class Pair:
 
 
 def column(v: Complex) -> Pair:
-    """Return the column of unit length that complex vectors of twice the size represent."""
+    """Return the unit column represented by complex vectors of twice the size."""
     n = v.shape[-1] // 2
     x = v / np.linalg.norm(v, axis=-1, keepdims=True)
     return Pair(x[..., :n, None], -x[..., n:, None].conj())
@@ -91,7 +91,7 @@ def identity(shape: Sequence[int], n: int) -> Pair:
 
 
 def beginning_with(x: Pair) -> Pair:
-    """Return unitary matrices with the given unit columns as their first: reflections, but for a factor."""
+    """Return unitary matrices that begin with the given unit columns: reflections, up to a factor."""
     n = x.u.shape[-2]
     first = x[..., :1, :]
     size = first.sizes[..., None, None]
@@ -111,7 +111,7 @@ def beginning_with(x: Pair) -> Pair:
 
 
 def _units(algebra: Parent) -> tuple[float, float, float]:
-    """Return t/2, and the sizes of i − t/2 and j, whose multiples I and J have square −1."""
+    """Return t/2, and the lengths of i − t/2 and j; their normalised multiples I and J have square −1."""
     if algebra.ring != RDF:
         raise CoercionError(
             f"eigenvalues and singular values are computed for matrices over H('RDF'), not over {algebra}"
@@ -127,7 +127,7 @@ def _units(algebra: Parent) -> tuple[float, float, float]:
 
 
 def pair_of(algebra: Parent, rows: Sequence[Sequence[Quaternion]]) -> Pair:
-    """Return a matrix, of which entries may be arrays, as arrays of complex matrices."""
+    """Return a matrix, whose entries may be arrays, as arrays of complex matrices."""
     half, i, j = _units(algebra)
     parts = [q.coordinates for row in rows for q in row]
     shape = np.broadcast_shapes(*(np.shape(x) for q in parts for x in q))
@@ -140,7 +140,7 @@ def pair_of(algebra: Parent, rows: Sequence[Sequence[Quaternion]]) -> Pair:
 
 
 def rows_of(algebra: Parent, pair: Pair) -> list[list[Quaternion]]:
-    """Return the rows of a matrix over the algebra, its entries arrays where there are several."""
+    """Return the rows of a matrix over the algebra, with arrays as entries if there are several matrices."""
     half, i, j = _units(algebra)
     z = pair.v.imag / (i * j)
     x = pair.u.imag / i

@@ -1,8 +1,8 @@
-"""Right eigenvalues, and decompositions of matrices over floating-point quaternions; residuals are checked.
+"""Right eigenvalues and decompositions of matrices over float quaternions; residuals are checked.
 
-M·x = x·λ has with x a solution x·q for q⁻¹·λ·q, so that one complex λ with Im λ ≥ 0 stands for a class; there
-are n of them (L. Brenner, Pacific J. Math. 1 (1951)). Schur's form and singular values are found one by one:
-an eigenvector or singular vector of the complex matrices is completed to a unitary matrix of quaternions.
+If M·x = x·λ, then x·q solves it for q⁻¹·λ·q, so a complex λ with Im λ ≥ 0 represents its class; there are n
+of them (L. Brenner, Pacific J. Math. 1 (1951)). The Schur form and singular values are found one by one: an
+eigenvector or singular vector of the complex matrices is completed to a unitary quaternion matrix.
 """
 
 from __future__ import annotations
@@ -26,18 +26,20 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-ROUNDING = 64 * float(np.finfo(float).eps)  # times the size, relative: what residuals may be
+ROUNDING = 64 * float(np.finfo(float).eps)  # relative to the size: the tolerance for residuals
 
 
 class Schur(NamedTuple):
-    """M = ``unitary`` @ ``triangular`` @ ``unitary.conjugate_transpose()``, with a complex diagonal."""
+    """The Schur form M = ``unitary`` @ ``triangular`` @ ``unitary.conjugate_transpose()``, with complex
+    diagonal.
+    """
 
     unitary: Matrix
     triangular: Matrix
 
 
 class SVD(NamedTuple):
-    """M = ``left`` @ diag(``values``) @ ``right.conjugate_transpose()``, left and right unitary."""
+    """M = ``left`` @ diag(``values``) @ ``right.conjugate_transpose()``, with left and right unitary."""
 
     left: Matrix
     values: np.ndarray
@@ -45,7 +47,7 @@ class SVD(NamedTuple):
 
 
 class PolarDecomposition(NamedTuple):
-    """M = ``unitary`` @ ``positive``; ``positive`` is hermitian, its eigenvalues are not negative."""
+    """M = ``unitary`` @ ``positive``, where ``positive`` is hermitian with nonnegative eigenvalues."""
 
     unitary: Matrix
     positive: Matrix
@@ -69,9 +71,7 @@ def right_eigenvalues(M: Matrix) -> tuple[Surd | Closed, ...] | np.ndarray:
 
 
 def _paired(values: np.ndarray) -> np.ndarray:
-    """Return one of each pair of conjugate eigenvalues: the farthest from ℝ, paired with the nearest to
-    its conjugate.
-    """
+    """Return one of each pair of conjugate eigenvalues; each value farthest from ℝ is paired first."""
     *shape, count = values.shape
     left, out = values.reshape(-1, count), []
     rows = np.arange(len(left))
@@ -90,7 +90,7 @@ def _paired(values: np.ndarray) -> np.ndarray:
 
 
 def _exactly(M: Matrix) -> tuple[Surd | Closed, ...]:
-    """Return the eigenvalues in CC: half the roots of the characteristic polynomial."""
+    """Return the eigenvalues in CC, half of the roots of the characteristic polynomial."""
     F = M.algebra.ring
     whole = [CC(c) for c in M.reduced_characteristic_polynomial()]
     if not is_division(F, M.algebra.constants):
@@ -110,7 +110,7 @@ def _exactly(M: Matrix) -> tuple[Surd | Closed, ...]:
 
 
 def schur(M: Matrix) -> Schur:
-    """Return Schur's form; see :meth:`Matrix.schur`."""
+    """Return the Schur form; see :meth:`Matrix.schur`."""
     given = _pair(M, square=True)
     *shape, n, _ = given.u.shape
     whole, unitary = given.copy(), identity(shape, n)
@@ -193,7 +193,7 @@ def _matrix(M: Matrix, pair: Pair) -> Matrix:
 
 
 def _lapack(function: Callable[[np.ndarray], T], matrices: np.ndarray) -> T:
-    """Apply LAPACK to scaled matrices, since some builds fail on large entries."""
+    """Apply LAPACK to scaled matrices, because some builds fail on large entries."""
     try:
         return function(matrices / _scale(matrices)[..., None, None])
     except np.linalg.LinAlgError as error:
@@ -215,6 +215,6 @@ def _check_product(given: Pair, product: Pair) -> None:
 
 
 def _check(residual: np.ndarray, size: np.ndarray, what: str) -> None:
-    """Raise :class:`UndecidedError` where a residual is more than rounding."""
+    """Raise :class:`UndecidedError` if a residual is larger than rounding errors."""
     if not (residual <= ROUNDING * size + np.finfo(float).tiny).all():
         raise UndecidedError(f"{what} has an error beyond rounding: {np.max(residual):.1e}")

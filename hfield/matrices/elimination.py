@@ -1,8 +1,9 @@
-"""Gaussian elimination over an algebra by unit pivots, and by coordinates where there are none.
+"""Gaussian elimination over an algebra with unit pivots, and in coordinates where there are none.
 
-Rows are multiplied from the left, so that solutions stay: where an entry is a unit, its column becomes one
-of the identity. Over a division algebra nothing is left; m rows of n entries without a unit are a 4m × 4n
-matrix over the field. Where flint has such matrices, all is left to them.
+Rows are multiplied from the left, so that solutions are preserved; if an entry is a unit, its column becomes
+a column of the identity. Over a division algebra this is complete. Otherwise m rows of n entries without a
+unit remain, which form a 4m × 4n matrix over the field. If flint supports such matrices, it does all the
+work.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ def over_ring(rows: Rows) -> list[list[Scalar]]:
 
 
 def transposed(rows: Sequence[Sequence[Scalar]]) -> list[list[Scalar]]:
-    """Return the columns."""
+    """Return the transposed matrix, as rows."""
     return [list(column) for column in zip(*rows, strict=True)]
 
 
@@ -41,10 +42,10 @@ def vector(A: Parent, values: Sequence[Scalar]) -> Vector:
 
 
 def by_functional(A: Parent, values: Sequence[Scalar]) -> Vector:
-    """Return the row y for which λ(y·v) is the sum of values times coordinates of v.
+    """Return the row y such that λ(y·v) is the sum of ``values`` times coordinates of v.
 
-    λ(q) is the coordinate at k. With ji = t·j − k, λ(y·e), λ(y·i), λ(y·j), λ(y·k) are y₃, −y₂, y₁ and
-    y₀ + t·y₁, over every ring and for every a, t, b: each functional is one y.
+    λ(q) is the coordinate at k. With ji = t·j − k, the values λ(y·e), λ(y·i), λ(y·j), λ(y·k) are y₃, −y₂, y₁
+    and y₀ + t·y₁, over every ring and for every a, t, b. So every functional is given by one y.
     """
     t = A.constants.t
     blocks = (values[n : n + 4] for n in range(0, len(values), 4))
@@ -52,10 +53,11 @@ def by_functional(A: Parent, values: Sequence[Scalar]) -> Vector:
 
 
 class Cleared:
-    """``rows`` after elimination: ``done``, each 1 in its place of ``pivots``, and ``rest`` without units.
+    """``rows`` after elimination: ``done`` rows, each with a pivot 1 at ``pivots``, and ``rest`` without
+    units.
 
-    Only the first ``width`` columns are looked at, ``free`` the ones without a pivot among them; what stands
-    right of them is carried along. With ``leftmost`` columns are taken in order.
+    Only the first ``width`` columns are searched for pivots; ``free`` are those of them without a pivot. The
+    columns to the right are transformed along. With ``leftmost``, columns are processed in order.
     """
 
     def __init__(self, A: Parent, rows: Rows, width: int, leftmost: bool = False) -> None:
@@ -97,7 +99,7 @@ class Cleared:
         return len(self.pivots) + Fraction(len(echelon(self.algebra.ring, self.core)[1]), 4)
 
     def _lifted(self, z: Sequence[Quaternion], at: int | None = None) -> Vector:
-        """Return the x with M·x = 0, or the column ``at``, that is z at the free columns."""
+        """Return the x with M·x = 0, or the column ``at``, whose entries at the free columns are z."""
         x = dict(zip(self.free, z, strict=True))
         for row, pivot in zip(self.done, self.pivots, strict=True):
             value = self.algebra.scalar(0) if at is None else row[at]
@@ -107,13 +109,13 @@ class Cleared:
         return tuple(x[c] for c in range(self.width))
 
     def right_kernel(self) -> list[Vector]:
-        """Return vectors that generate all x with M·x = 0 as a right module."""
+        """Return vectors that generate the right module of all x with M·x = 0."""
         width = 4 * len(self.free)
         found = null_space(self.algebra.ring, self.core, width)
         return [self._lifted(z) for z in generators(self.algebra, found, right=True)]
 
     def solution(self) -> list[Vector] | None:
-        """Return the columns x with M·x = b, for the columns b right of M, or None."""
+        """Return the columns x with M·x = b, where b are the columns to the right of M, or None."""
         A, count = self.algebra, len((self.rest or self.done)[0]) - self.width
         right = [
             list(row)
@@ -133,8 +135,9 @@ class Cleared:
 
 
 def left_kernel(A: Parent, rows: Rows) -> list[Vector]:
-    """Return vectors that generate all y with y·M = 0 as a left module."""
-    # λ(y·M·v) = 0 for all v, where λ is the last coordinate: a form without kernel, see `by_functional`
+    """Return vectors that generate the left module of all y with y·M = 0."""
+    # λ(y·M·v) = 0 for all v, where λ is the last coordinate, a form without kernel; see
+    # `by_functional`
     m, width = len(rows), len(rows[0])
     one = [[A.scalar(r == c) for c in range(m)] for r in range(m)]
     of = Cleared(A, [[*row, *unit] for row, unit in zip(rows, one, strict=True)], width)
@@ -158,7 +161,7 @@ def dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
 
 
 def generators(A: Parent, basis: list[list[Scalar]], right: bool) -> list[Vector]:
-    """Choose vectors of an F-basis of a module, given by coordinates, that generate it over A."""
+    """Choose from an F-basis of a module, given by coordinates, vectors that generate it over A."""
     F, chosen = A.ring, list[Vector]()
     span: list[list[Scalar]] = []
     for v in basis:

@@ -1,4 +1,4 @@
-"""Linear equations Σ aₙ·x·bₙ = c, and systems of them, by coordinates over the base ring."""
+"""Linear equations Σ aₙ·x·bₙ = c, and systems of them, in coordinates over the base ring."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ Vector = tuple[Quaternion, ...]
 class Solutions(Verdict[T]):
     """All solutions: ``particular`` plus the combinations of ``kernel``, a basis over the field; or none.
 
-    Where there is none it is false, ``particular`` is None, and ``reason`` says why: ``functional`` are four
-    scalars for each equation whose sum with the coordinates of the left sides is 0 for every choice of the
-    unknowns, and with those of the right sides is not.
+    If there is no solution, it is false, ``particular`` is None, and ``reason`` says why. Then ``functional``
+    contains four scalars per equation that prove this: the combination of the coordinates of the left sides
+    with these scalars is 0 for all unknowns, but that of the right sides is not.
     """
 
     kernel: tuple[T, ...] = ()
@@ -55,7 +55,7 @@ def solve_linear(
 ) -> LinearSolutions:
     """Return all x with Σ a·x·b = c for the pairs (a, b) of ``terms``.
 
-    Raises :class:`UndecidedError` over rings that are no fields.
+    Raises :class:`UndecidedError` over rings that are not fields.
     """
     pairs = [(algebra(a), algebra(b)) for a, b in terms]
     images = []
@@ -77,9 +77,9 @@ def _solve(
     kind: type[S],
     name: Callable[[Vector], T],
 ) -> S:
-    """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side.
+    """Solve equations, each given by the images of e, i, j, k for each unknown, and the right side.
 
-    ``name`` makes of a vector with an entry for each unknown what the kind of solutions contains.
+    ``name`` converts a vector with an entry for each unknown to a member of the solutions.
     """
     F = algebra.ring
     if not F.is_field:
@@ -116,13 +116,13 @@ def _vector(algebra: Parent, v: Sequence[object]) -> Vector:
 
 @dataclass(frozen=True)
 class Affine:
-    """A constant plus a map linear over the base ring, known by the images of e, i, j, k for each unknown."""
+    """A constant plus a linear map over the base ring, given by the images of e, i, j, k for each unknown."""
 
     constant: Quaternion
     images: tuple[Quaternion, ...] = ()
 
     def each(self, f: Callable[[Quaternion], Quaternion]) -> Affine:
-        """Return this with a linear function after it."""
+        """Return the composition with a linear function."""
         return Affine(f(self.constant), tuple(map(f, self.images)))
 
     def __neg__(self) -> Affine:
@@ -142,7 +142,7 @@ class Affine:
         return other.each(lambda q: self.known("a factor beside the unknown") * q)
 
     def known(self, what: str) -> Quaternion:
-        """Return the constant. Raises :class:`NotationError` where the unknown is in it."""
+        """Return the constant. Raises :class:`NotationError` if the unknown occurs."""
         if self.images:
             raise NotationError(
                 f"{what} contains the unknown, so the equation is not linear; roots() of a polynomial and "
@@ -154,9 +154,9 @@ class Affine:
 def read_equation(algebra: Parent, text: str, unknown: str = "x") -> LinearSolutions:
     """Solve an equation such as ``i*x - x*j == k``, linear over the base field in one unknown.
 
-    ``conj``, ``trace``, ``scalar`` and ``vector`` of the unknown are linear, too.
-    Raises :class:`NotationError` for what cannot be read or is not linear, and :class:`UndecidedError` over
-    rings that are no fields.
+    ``conj``, ``trace``, ``scalar`` and ``vector`` of the unknown count as linear. Raises
+    :class:`NotationError` for equations that are unreadable or not linear, and :class:`UndecidedError` over
+    rings that are not fields.
     """
     both = _read(algebra, text, [unknown])
     if not both.images:
@@ -200,13 +200,13 @@ def unknowns_in(algebra: Parent, texts: Sequence[str]) -> list[str]:
     for text in texts:
         try:
             words.update(names_in(_spelled(algebra, text, letters)))
-        except NotationError:  # a matrix, or what its reader will refuse
+        except NotationError:  # a matrix, or a text that its reader will reject
             words.update(names_in(text))
     return [x for x in letters if x in words]
 
 
 def names_in(text: str) -> list[str]:
-    """Return the names in a text, as often as they occur."""
+    """Return the names in a text, with repetitions."""
     return re.findall(r"[^\W\d]\w*", text)
 
 
@@ -218,7 +218,7 @@ def _spelled(algebra: Parent, text: str, unknowns: Sequence[str]) -> str:
 
 
 def _read(algebra: Parent, text: str, unknowns: Sequence[str]) -> Affine:
-    """Return the left side of an equation less the right one."""
+    """Return the left side of an equation minus the right side."""
     F = algebra.ring
     sides = _spelled(algebra, text, unknowns).replace("==", "=").split("=")
     if len(sides) != 2:

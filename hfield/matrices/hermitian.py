@@ -1,7 +1,7 @@
-"""Hermitian matrices, M* = M: a diagonal form with the transformation, and signs of it in an ordering.
+"""Hermitian matrices, M* = M: a diagonal form with its transformation, and signs in an ordering.
 
-W. Scharlau, *Quadratic and Hermitian Forms* (1985), 7.6 and 10.1: x ↦ x*·M·x takes values in F in
-characteristic not 2, where a diagonal form is Σ dₙ·N(xₙ).
+W. Scharlau, *Quadratic and Hermitian Forms* (1985), 7.6 and 10.1: in characteristic other than 2 the form x ↦
+x*·M·x has values in F, and a diagonal form is Σ dₙ·N(xₙ).
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 
 class DiagonalForm(NamedTuple):
-    """``transformation``, P, is invertible, and P*·M·P has ``diagonal`` on its diagonal and 0 elsewhere."""
+    """The matrix ``transformation``, P, is invertible, and P*·M·P has ``diagonal`` as diagonal and 0
+    elsewhere.
+    """
 
     diagonal: tuple[Quaternion, ...]
     transformation: Matrix
@@ -35,7 +37,7 @@ class HermitianSignature(NamedTuple):
 def diagonal_form(M: Matrix) -> DiagonalForm:
     """Return a diagonal form. It always exists over division algebras, and over others unless 2 = 0.
 
-    Raises :class:`CoercionError` unless M* = M, :class:`UndecidedError` where no pivot is found.
+    Raises :class:`CoercionError` unless M* = M, :class:`UndecidedError` if no pivot is found.
     """
     A, n = M.algebra, M.shape[0]
     _expect_hermitian(M)
@@ -71,7 +73,9 @@ def diagonal_form(M: Matrix) -> DiagonalForm:
 def _make_unit(
     M: Matrix, rows: list[list[Quaternion]], k: int, add: Callable[[int, int, Quaternion], None]
 ) -> int | None:
-    """Change the basis so that an entry of the diagonal is a unit, and return which; None if all is 0."""
+    """Change the basis so that a diagonal entry is a unit, and return its index; None if all
+    entries are 0.
+    """
     n, left = len(rows), False
     for r in range(k, n):
         for s in range(r + 1, n):
@@ -89,9 +93,9 @@ def _make_unit(
 
 
 def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
-    """Return the signature of a diagonal form, which is the same for all of them (Sylvester).
+    """Return the signature of a diagonal form, which does not depend on the diagonal form (Sylvester).
 
-    Raises :class:`RingError` unless the norm of the algebra is positive in the ordering, which there is.
+    Raises :class:`RingError` unless there is an ordering and the norm of the algebra is positive in it.
     """
     F = M.algebra.ring
     if not F.is_exact:
@@ -105,7 +109,7 @@ def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
 
 
 def is_positive_definite(M: Matrix, ordering: int = 0) -> bool:
-    """Return whether x*·M·x > 0 in the ordering for every x that is not 0."""
+    """Return whether x*·M·x > 0 in the ordering for every x ≠ 0."""
     _expect_hermitian(M)
     return is_definite(M, ordering) and signature(M, ordering).positive == M.shape[0]
 

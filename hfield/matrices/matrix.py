@@ -1,7 +1,7 @@
-"""Matrices over a quaternion algebra, exact; vectors are columns, on which scalars act from the right.
+"""Exact matrices over a quaternion algebra; vectors are columns, on which scalars act from the right.
 
-What is linear goes by coordinates in the base ring F: an m × n matrix over A is a 4m × 4n one over F.
-F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251 (1997).
+Linear problems are solved in coordinates over the base ring F: an m × n matrix over A is a 4m × 4n matrix
+over F. F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251 (1997).
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ Entries = tuple[Vector, ...]
 
 
 class EchelonForm(NamedTuple):
-    """``transformation`` @ M == ``form``; ``pivots`` are columns, from 0."""
+    """The echelon form: ``transformation`` @ M == ``form``; ``pivots`` are column indices, from 0."""
 
     form: Matrix
     transformation: Matrix
@@ -59,8 +59,8 @@ class EchelonForm(NamedTuple):
 class Matrix(PrintedBySympy):
     """A matrix over a quaternion algebra: ``A.matrix([[q11, q12], [q21, q22]])``. Immutable.
 
-    ``M @ N`` is the product; ``M * q`` and ``q * M`` multiply each entry by a quaternion on that side.
-    An entry may be an array of quaternions; such matrices add and multiply.
+    ``M @ N`` is the product; ``M * q`` and ``q * M`` multiply each entry by a quaternion on that side. An
+    entry may be an array of quaternions; such matrices support addition and multiplication.
 
     >>> from hfield import H
     >>> A = H("QQ"); e, i, j, k = A.basis
@@ -125,7 +125,7 @@ class Matrix(PrintedBySympy):
 
     @property
     def T(self) -> Matrix:
-        """The transpose; of a product it is the product of transposes only where entries commute."""
+        """The transpose; (M·N).T is N.T·M.T only if the entries commute."""
         return self._like(zip(*self.rows, strict=True))
 
     def change_ring(self, ring: Ring | str) -> Matrix:
@@ -149,14 +149,15 @@ class Matrix(PrintedBySympy):
         return self.conjugate().T
 
     def is_hermitian(self) -> bool:
-        """Return whether the matrix is its own adjoint."""
+        """Return whether the matrix equals its conjugate transpose."""
         return self == self.conjugate_transpose()
 
     def diagonal_form(self) -> DiagonalForm:
         """Return ``.diagonal`` and ``.transformation``, P, of a hermitian matrix: P*·M·P is diagonal.
 
-        Its entries lie in the base field, unless 2 = 0 there. Raises :class:`CoercionError` unless M* = M and
-        :class:`UndecidedError` where none is found, which needs zero divisors in characteristic 2.
+        The diagonal entries lie in the base field, unless 2 = 0 there. Raises :class:`CoercionError` unless
+        M* = M, and :class:`UndecidedError` if none is found, which happens only with zero divisors in
+        characteristic 2.
 
         >>> from hfield import H
         >>> A = H("QQ"); e, i, j, k = A.basis
@@ -171,8 +172,8 @@ class Matrix(PrintedBySympy):
     def signature(self, ordering: int = 0) -> HermitianSignature:
         """Return how many entries of a diagonal form are positive, negative and 0 in an ordering of F.
 
-        Raises :class:`CoercionError` unless M* = M, :class:`RingError` where the norm of the algebra takes
-        both signs in the ordering, or there is none.
+        Raises :class:`CoercionError` unless M* = M, :class:`RingError` if there is no ordering or the norm of
+        the algebra takes both signs in it.
 
         >>> from hfield import H
         >>> H("QQ").matrix([[0, "i"], ["-i", 1]]).signature()
@@ -277,10 +278,11 @@ class Matrix(PrintedBySympy):
             )
 
     def reduced_norm(self) -> Scalar:
-        """Return the reduced norm, in the base ring: multiplicative, ``q.norm()`` for one entry.
+        """Return the reduced norm, in the base ring; it is multiplicative, and ``q.norm()`` for a 1 × 1
+        matrix.
 
-        The determinant over S = F[X]/(X² − tX − a) under u + vj ↦ [[u, v], [b·v̄, ū]]. Rows with a unit in
-        them are taken away, and what is left is expanded without division (Berkowitz 1984).
+        It is the determinant over S = F[X]/(X² − tX − a) under u + vj ↦ [[u, v], [b·v̄, ū]]. Rows with a unit
+        are eliminated, and the remaining determinant is expanded without division (Berkowitz 1984).
         """
         self._expect_square("the reduced norm")
         rows = [list(row) for row in self.rows]
@@ -301,7 +303,9 @@ class Matrix(PrintedBySympy):
         return norm
 
     def reduced_characteristic_polynomial(self) -> tuple[Scalar, ...]:
-        """Return the coefficients in the base ring, low degree first, monic of degree 2n; M is a root."""
+        """Return the coefficients in the base ring, low degree first, of a monic polynomial of degree 2n with
+        root M.
+        """
         self._expect_square("the characteristic polynomial")
         from hfield.matrices.characteristic_polynomials import characteristic_polynomial
 
@@ -318,11 +322,11 @@ class Matrix(PrintedBySympy):
         return tuple(x for x, _ in found)
 
     def is_invertible(self) -> bool:
-        """Return whether there is an inverse: whether the reduced norm is a unit."""
+        """Return whether there is an inverse, that is, the reduced norm is a unit."""
         return self.shape[0] == self.shape[1] and self.algebra.ring.is_unit(self.reduced_norm())
 
     def inverse(self) -> Matrix:
-        """Return the inverse, on both sides. Raises :class:`NotInvertibleError`, which shows why."""
+        """Return the two-sided inverse. Raises :class:`NotInvertibleError` with a proof if there is none."""
         self._expect_square("the inverse")
         F = self.algebra.ring
         if F.is_field:
@@ -346,7 +350,7 @@ class Matrix(PrintedBySympy):
     # --- over the base ring --------------------------------------------------------------------
 
     def _beside(self, right: Matrix | None = None) -> Cleared:
-        """Return the matrix cleared by units, with another one right of it."""
+        """Return the matrix after elimination by units, with another matrix to the right of it."""
         rows: Sequence[Sequence[Quaternion]] = self.rows
         if right is not None:
             rows = [[*x, *y] for x, y in zip(self.rows, right.rows, strict=True)]
@@ -362,16 +366,17 @@ class Matrix(PrintedBySympy):
         return F
 
     def rank(self) -> int | Fraction:
-        """Return dim_F(M·Aⁿ)/4: an int, or a fraction where the algebra has zero divisors."""
+        """Return dim_F(M·Aⁿ)/4: an int, or possibly a fraction if the algebra has zero divisors."""
         self._field("the rank")
         rank = self._beside().rank()
         return rank.numerator if rank.denominator == 1 else rank
 
     def echelon_form(self) -> EchelonForm:
-        """Return ``.form``, the reduced row echelon form E, ``.transformation`` T, T·M = E, and ``.pivots``.
+        """Return ``.form``, the reduced row echelon form E, ``.transformation`` T with T·M = E, and
+        ``.pivots``.
 
-        T is invertible; in the columns of the pivots E has those of the identity. Raises
-        :class:`UndecidedError` where a column has entries that are zero divisors, and no unit to clear them.
+        T is invertible; the pivot columns of E are those of the identity. Raises :class:`UndecidedError` if a
+        column has zero divisors as entries and no unit with which to clear them.
 
         >>> from hfield import H
         >>> M = H("QQ").matrix([["i", "j", 1], ["k", 1, "j"]])
@@ -400,10 +405,10 @@ class Matrix(PrintedBySympy):
         return EchelonForm(form, transformation, tuple(c for c, _ in order))
 
     def right_kernel(self) -> tuple[Vector, ...]:
-        """Return vectors x with M·x = 0 that generate all of them as a right module.
+        """Return vectors that generate the right module of all x with M·x = 0.
 
-        A basis over a division algebra; over rings that are no fields generators over the ring. Raises
-        :class:`UndecidedError` where none are found.
+        Over a division algebra they are a basis; over rings that are not fields they generate over the ring.
+        Raises :class:`UndecidedError` if none are found.
         """
         F = self.algebra.ring
         if F.is_field:
@@ -412,7 +417,7 @@ class Matrix(PrintedBySympy):
         return tuple(vector(self.algebra, v) for v in found)
 
     def left_kernel(self) -> tuple[Vector, ...]:
-        """Return generators, as in :meth:`right_kernel`, of the left module of the vectors x with x·M = 0."""
+        """Return vectors that generate the left module of all x with x·M = 0; see :meth:`right_kernel`."""
         F = self.algebra.ring
         if F.is_field:
             return tuple(left_kernel(self.algebra, self.rows))
@@ -422,8 +427,8 @@ class Matrix(PrintedBySympy):
     def solve(self, b: Matrix | Sequence[object]) -> Matrix:
         """Return a matrix x with ``M @ x == b``; b may be the list of a column.
 
-        Raises :class:`NoSolutionError` with ``witness`` y, y·M = 0 and y·b ≠ 0; over rings that are no fields
-        :class:`UndecidedError` where M has no inverse.
+        Raises :class:`NoSolutionError` with ``witness`` y such that y·M = 0 and y·b ≠ 0; over rings that are
+        not fields, :class:`UndecidedError` if M has no inverse.
         """
         F = self.algebra.ring
         if not isinstance(b, Iterable | Matrix):
@@ -452,12 +457,13 @@ class Matrix(PrintedBySympy):
     # --- eigenvalues ---------------------------------------------------------------------------
 
     def right_eigenvalues(self) -> tuple[Surd | Closed, ...] | np.ndarray:
-        """Return the complex λ, Im λ ≥ 0, with M·x = x·λ for an x ≠ 0, n of them with multiplicity.
+        """Return the n complex λ, Im λ ≥ 0, with M·x = x·λ for some x ≠ 0, with multiplicity.
 
-        Each stands for its class, all q⁻¹·λ·q; in (a, b | F) i/√−a is the imaginary unit. Over RR a tuple of
-        elements of CC, exact; over RDF an array of complex128, by LAPACK, for each of an array of matrices.
-        Raises :class:`CoercionError` over algebras with zero divisors, :class:`UndecidedError` over others,
-        and where the characteristic polynomial is not factored.
+        Each λ represents the class of all q⁻¹·λ·q; in (a, b | F) i/√−a is the imaginary unit. Over RR the
+        result is a tuple of exact elements of CC; over RDF it is an array of complex128, by LAPACK, with an
+        additional axis for an array of matrices. Raises :class:`CoercionError` over algebras with zero
+        divisors, and :class:`UndecidedError` over others and if the characteristic polynomial is not
+        factored.
 
         >>> from hfield import H
         >>> H("RR").matrix([[0, "i"], ["j", 0]]).right_eigenvalues()
@@ -470,7 +476,8 @@ class Matrix(PrintedBySympy):
         return right_eigenvalues(self)
 
     def schur(self) -> Schur:
-        """Return ``.unitary`` U and ``.triangular`` T over RDF: M = U·T·U*, complex numbers on T's diagonal.
+        """Return ``.unitary`` U and ``.triangular`` T over RDF: M = U·T·U*, with complex numbers on T's
+        diagonal.
 
         Entries may be arrays; residuals are checked. Raises as :meth:`right_eigenvalues` does.
 
@@ -495,7 +502,7 @@ class Matrix(PrintedBySympy):
         return svd(self)
 
     def polar(self) -> PolarDecomposition:
-        """Return ``.unitary`` W and ``.positive`` P over RDF: M = W·P, W*·W = 1, P hermitian, not negative.
+        """Return ``.unitary`` W and ``.positive`` P over RDF: M = W·P, W*·W = 1, P hermitian and nonnegative.
 
         >>> from hfield import H
         >>> W, P = H("RDF").matrix([["2*i"]]).polar(); W, P
@@ -508,7 +515,7 @@ class Matrix(PrintedBySympy):
     # --- text ----------------------------------------------------------------------------------
 
     def text(self, style: str = "plain") -> str:
-        """Write the rows in the style ``plain``, which ``A.matrix`` reads, ``unicode`` or ``latex``."""
+        """Write the rows in the style ``plain`` (which ``A.matrix`` reads), ``unicode`` or ``latex``."""
         if style == "latex":
             body = r" \\ ".join(" & ".join(q.text(style) for q in row) for row in self.rows)
             return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
@@ -516,7 +523,7 @@ class Matrix(PrintedBySympy):
         return f"[{', '.join(f'[{row}]' for row in rows)}]"
 
     def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> sympy.Basic:
-        """Return the matrix of sympy, or an array of shape (m, n, 4), as :func:`hfield.to_sympy` does."""
+        """Return the sympy matrix, or an array of shape (m, n, 4), as :func:`hfield.to_sympy` does."""
         import sympy
 
         rows = [[q._in_sympy(symbols) for q in row] for row in self.rows]

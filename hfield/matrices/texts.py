@@ -1,6 +1,6 @@
 """Read matrices such as ``[[1, i], [j, k]]`` and expressions in them.
 
-Where a matrix is expected, two brackets are its rows; a bracket inside an entry is a commutator.
+Where a matrix is expected, double brackets are its rows; a bracket inside an entry is a commutator.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ EXPECTED = "expected rows such as [[1, i], [j, k]]"
 
 
 def read_matrix(algebra: Parent, text: str, vector: str = "") -> Matrix:
-    """Return the matrix that a text means: rows, or an expression such as ``[[1, i], [j, k]]^2 * 2``.
+    """Return the matrix given by a text: rows, or an expression such as ``[[1, i], [j, k]]^2 * 2``.
 
-    ``[1, i]`` is one where ``vector`` is ``"column"`` or ``"row"``. Functions are ``inv``, ``conj`` of each
-    entry, and ``transpose``. Raises :class:`NotationError` for what is none.
+    ``[1, i]`` is also a matrix if ``vector`` is ``"column"`` or ``"row"``. Functions are ``inv``, ``conj`` of
+    each entry, and ``transpose``. Raises :class:`NotationError` for anything else.
     """
     if vector and _is_bracket(text) and not text.strip()[1:].lstrip().startswith("["):
         entries = [algebra(x) for x in split(text.strip()[1:-1], ",")]
@@ -98,15 +98,17 @@ class MatrixOperand:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MatrixSolutions(Solutions[Matrix]):
-    """All x with M·x = b, or x·M = b ``from_right``; combinations of the kernel are from the other side."""
+    """All x with M·x = b, or with x·M = b if ``from_right``; kernel combinations have scalars on the other
+    side.
+    """
 
     from_right: bool = False
 
 
 def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> MatrixSolutions:
-    """Solve ``[[1, i], [j, k]]*x = [i, j]``, or ``x*M = b``; both sides as :func:`read_matrix` takes them.
+    """Solve ``[[1, i], [j, k]]*x = [i, j]``, or ``x*M = b``; both sides are read by :func:`read_matrix`.
 
-    The right side may be the list of a column or, for x·M, of a row. Raises :class:`NotationError`.
+    The right side may be a column, or for x·M a row, written as a list. Raises :class:`NotationError`.
     """
     sides = [side.strip() for side in text.replace("==", "=").split("=")]
     x = re.escape(unknown)
@@ -121,7 +123,7 @@ def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> Matr
     left, right = read[0]["left"], read[0]["right"]
     if left is not None:
         M, b = read_matrix(algebra, left), read_matrix(algebra, other, "column")
-    else:  # x·M = b says that M*·x* = b*
+    else:  # x·M = b means that M*·x* = b*
         M = read_matrix(algebra, right).conjugate_transpose()
         b = read_matrix(algebra, other, "row").conjugate_transpose()
 
@@ -142,7 +144,7 @@ def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> Matr
 
 
 def _matrix_at(text: str) -> tuple[int, int] | None:
-    """Return where the first two brackets that open together begin, and where they end."""
+    """Return the start and the end of the first double bracket."""
     start = 0
     while (start := text.find("[", start)) >= 0:
         if text[start + 1 :].lstrip().startswith("["):
@@ -172,5 +174,5 @@ def _is_bracket(text: str) -> bool:
 
 
 def has_matrix(text: str) -> bool:
-    """Return whether two brackets open together somewhere."""
+    """Return whether a text contains a double bracket."""
     return _matrix_at(text) is not None

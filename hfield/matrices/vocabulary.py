@@ -16,9 +16,10 @@ T = TypeVar("T")
 def vocabulary(
     algebra: Parent, wrap: Callable[[Quaternion], T], constant: Callable[[T], Quaternion]
 ) -> tuple[dict[str, T], dict[str, Callable[..., T]]]:
-    """Return the names of constants, and the ring's functions, such as sqrt, of scalars.
+    """Return the names of constants, and the ring's functions, such as sqrt, on scalars.
 
-    ``wrap`` makes what is read of an element, ``constant`` takes it back, or raises for what is none.
+    ``wrap`` converts an element to the reader's values, and ``constant`` converts it back, or raises an
+    error.
     """
     F = algebra.ring
 

@@ -1,6 +1,6 @@
-"""The norms that KLPT may give an equivalent ideal: powers of a prime, or divisors of a smooth number.
+"""The norms that KLPT accepts for an equivalent ideal: powers of a prime, or divisors of a smooth number.
 
-The algorithm chooses two factors of such a norm, of given sizes, one after the other.
+The algorithm chooses two factors of such a norm, one after the other, each of a given size.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Protocol
 
 
 class AllowedNorms(Protocol):
-    """The norms that an equivalent ideal may have, as a supply of factors."""
+    """The accepted norms of an equivalent ideal, as a source of factors."""
 
     def above(self, least: int, rng: random.Random) -> Iterator[int]:
         """Yield some allowed norms of at least this size, the first ones close to it."""
@@ -41,11 +41,11 @@ class Powers:
         yield from (self.prime**e for e in range(exponent, exponent + SUPPLY))
 
     def without(self, n: int) -> Powers:
-        """Return all powers, which are never used up."""
+        """Return all powers, as they are never used up."""
         return self
 
     def divisible_by(self, n: int) -> bool:
-        """Return whether n is the prime of which the allowed norms are powers."""
+        """Return whether n is the prime whose powers are allowed."""
         return n == self.prime
 
 
@@ -57,11 +57,11 @@ class Divisors:
 
     @property
     def product(self) -> int:
-        """The number."""
+        """The number whose divisors these are."""
         return math.prod(p**e for p, e in self.factors)
 
     def above(self, least: int, rng: random.Random) -> Iterator[int]:
-        """Yield divisors of at least this size, and the number itself where it is a little smaller."""
+        """Yield divisors of at least this size; the number itself also if it is slightly smaller."""
         whole = self.product
         if whole < least:
             # the bounds leave some room
@@ -78,7 +78,7 @@ class Divisors:
             yield whole
 
     def _close_to(self, least: int, rng: random.Random) -> int:
-        """Return a divisor of at least some size that is no longer so without one of its primes."""
+        """Return a divisor of at least some size that falls below it without any one of its primes."""
         primes = [p for p, e in self.factors for _ in range(e)]
         rng.shuffle(primes)
         n, used = 1, []
@@ -93,7 +93,7 @@ class Divisors:
         return n
 
     def without(self, n: int) -> Divisors:
-        """Return the divisors of the number over n."""
+        """Return the divisors of the number divided by n."""
         rest = []
         for p, e in self.factors:
             while e and n % p == 0:

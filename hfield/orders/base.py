@@ -78,7 +78,7 @@ TOTALLY_DEFINITE = "a totally definite algebra, a < 0 and b < 0 where t = 0"
 class QuaternionBasis(NamedTuple, Generic[NumberT]):
     """Constants of ``I² = a + t·I, J² = b`` in the field of the base, and coordinates over 1, I, J, IJ.
 
-    ``into`` takes the coordinates of an element over 1, i, j, k to these, ``back`` the other way.
+    ``into`` converts coordinates over 1, i, j, k to coordinates over 1, I, J, IJ; ``back`` is the inverse.
     """
 
     constants: Constants[NumberT]
@@ -87,7 +87,7 @@ class QuaternionBasis(NamedTuple, Generic[NumberT]):
 
 
 class Counts(NamedTuple):
-    """Numbers of elements by their norms, which are given by coordinates over a denominator."""
+    """Numbers of elements by norm; norms are coordinates over a denominator."""
 
     numbers: dict[tuple[Integer, ...], int]
     den: Integer
@@ -96,22 +96,22 @@ class Counts(NamedTuple):
 class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
     """A ring of integers, free of rank ``degree`` over its domain with the basis ``integral_basis``.
 
-    Its numbers, ideals, primes and residues are of the types in the brackets.
+    The type parameters are its numbers, ideals, primes and residues.
     """
 
     @property
     def ring(self) -> Ring:
-        """The field of a user's elements."""
+        """The field of the elements that users see."""
 
     @property
     def field(self) -> Ring[NumberT]:
-        """The field of the elements in computations."""
+        """The field of the elements used in computations."""
 
     degree: int
 
     @property
     def integral_basis(self) -> tuple[NumberT, ...]:
-        """A basis of the integers over the domain, 1 first."""
+        """A basis of the integers over the domain, beginning with 1."""
 
     is_rational: bool
     """Whether the base is ℤ."""
@@ -135,7 +135,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the element with these coordinates."""
 
     def quaternion_basis(self, algebra: Parent) -> QuaternionBasis[NumberT]:
-        """Return the basis in which lattices of an algebra are kept."""
+        """Return the basis in which lattices of an algebra are stored."""
 
     def is_definite(self, constants: Constants[NumberT]) -> bool:
         """Return whether an algebra ramifies at all infinite places."""
@@ -151,16 +151,18 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
 
     @property
     def one(self) -> IdealT:
-        """The ideal of all integers."""
+        """The unit ideal."""
 
     def prime(self, x: object) -> PrimeT:
         """Return a prime from user input. Raises :class:`LatticeError` for anything else."""
 
     def primes_above(self, p: int) -> list[tuple[Prime, PrimeT]]:
-        """Return the primes above a prime number: as the ring has them, and as :meth:`prime` returns them."""
+        """Return the primes above a prime number, each as an object of the ring and as :meth:`prime` returns
+        it.
+        """
 
     def primes_by_norm(self) -> Iterator[PrimeT]:
-        """Yield all primes, ascending by their norms."""
+        """Yield all primes in order of norm."""
 
     def prime_ideal(self, prime: PrimeT) -> IdealT:
         """Return a prime as an ideal."""
@@ -178,7 +180,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """The number of units; None if it is infinite."""
 
     def norm_bound(self, lattice: LatticeValue, n: object) -> int:
-        """Return the user's bound of norms as a bound of their values divided by the content."""
+        """Return a user's bound for norms as a bound for their values divided by the content."""
 
     def absolute_norm(self, ideal: IdealT) -> int:
         """Return the number of residues modulo an integral ideal."""
@@ -190,7 +192,7 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the primes of an ideal with their exponents, ascending. Raises :class:`UnfactoredError`."""
 
     def residues(self, prime: PrimeT) -> list[NumberT]:
-        """Return integers of the field, one of each class modulo a prime, 0 first."""
+        """Return integers of the field, one for each residue class modulo a prime, 0 first."""
 
     def place(self, prime: PrimeT) -> ResiduePlace:
         """Return the residue field of a prime, with the arithmetic in it."""
@@ -199,21 +201,21 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return the coordinates of a residue over the prime field."""
 
     def residue(self, prime: PrimeT, digits: Sequence[int]) -> ResidueT:
-        """Return the residue with these coordinates."""
+        """Return the residue with given coordinates."""
 
     def lift(self, prime: PrimeT, residue: ResidueT) -> NumberT:
         """Return an integer of the field with a given residue modulo a prime."""
 
     def root_modulo_4(self, d: NumberT) -> NumberT | None:
-        """Return t with t² ≡ d modulo 4, over ℤ d itself; None where there is none."""
+        """Return t with t² ≡ d modulo 4 (over ℤ, d itself), or None if there is none."""
 
     def integer_near(self, x: NumberT, modulus: int) -> NumberT:
-        """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
+        """Return an integer of the field congruent to x modulo a power of p; x must be integral at p."""
 
     def integral_ideal(self, x: object, what: str = "norm") -> IdealT:
-        """Return an integral ideal from user input for a norm or a level, also as text.
+        """Return an integral ideal from user input for a norm or a level, which may be a text.
 
-        Raises :class:`LatticeError` for what is no integral ideal.
+        Raises :class:`LatticeError` for anything but an integral ideal.
         """
 
     def number_data(self, x: Integer) -> int | str:
@@ -223,58 +225,60 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return an integral ideal for JSON."""
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> IdealClassGroup[IdealT]:
-        """Return the group of ideals modulo generators positive at the real places that ramify."""
+        """Return the class group of ideals modulo elements that are positive at the ramified real places."""
 
     def generators(self, ideal: IdealT, places: tuple[int, ...]) -> list[NumberT]:
         """Return the generators of an ideal, in the field, that are positive at some real places.
 
-        One for each coset of the squares of units; none where there are none.
+        The result has one generator for each coset of the squares of units; it is empty if there are none.
         """
 
     @property
     def positive_units(self) -> tuple[NumberT, ...]:
         """The totally positive units, one for each coset of the squares of units, 1 first.
 
-        The numbers of units are words of bits: each bit is a generator.
+        The index of a unit is a bit set: each bit stands for a generator.
         """
 
     def is_integral(self, ideal: IdealT) -> bool:
         """Return whether all elements of an ideal are integers."""
 
     def are_coprime(self, first: IdealT, second: IdealT) -> bool:
-        """Return whether the sum of two integral ideals is 1."""
+        """Return whether the sum of two integral ideals is the unit ideal."""
 
     @property
     def narrow_classes(self) -> NarrowRepresentatives[NumberT, IdealT]:
-        """The ideals modulo totally positive elements."""
+        """The narrow ideal class group: ideals modulo totally positive elements."""
 
     @property
     def class_generators(self) -> tuple[IdealT, ...]:
-        """Ideals that generate the class group, none where all ideals are principal."""
+        """Ideals that generate the class group; none if all ideals are principal."""
 
     def square_classes(self, prime: PrimeT) -> tuple[int, Callable[[NumberT], int]]:
-        """Return the number of bits of a class of local units modulo squares, and the map to classes.
+        """Return the number of bits of a class of local units modulo squares, and the function to classes.
 
-        It returns the class of the unit part of a number, for a fixed uniformiser.
+        The function returns the class of the unit part of a number, for a fixed uniformiser.
         """
 
     def principal_multiple(self, ideal: IdealT) -> IdealT:
-        """Return an ideal where it is principal, else its least multiple that an integer generates."""
+        """Return an ideal if it is principal, else its least multiple that an integer generates."""
 
     def quadratic_symbol(self, trace: NumberT, norm: NumberT, prime: PrimeT) -> int:
-        """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
+        """Return 1, 0 or −1 if x² − trace·x + norm has two roots, one or none modulo a prime."""
 
     def ramified_primes(self, constants: Constants[NumberT]) -> tuple[PrimeT, ...]:
         """Return the primes at which an algebra ramifies. Raises :class:`UnfactoredError`."""
 
     def principal(self, x: NumberT) -> IdealT:
-        """Return the ideal of one element, not 0."""
+        """Return the ideal generated by a nonzero element."""
 
     def ideal_spanned(self, entries: Sequence[Integer], den: Integer) -> IdealT:
-        """Return the ideal that rows of coordinates, one after the other over a denominator, span over ℤ."""
+        """Return the ideal spanned over ℤ by rows of coordinates, listed one after another over a
+        denominator.
+        """
 
     def ideal_rows(self, ideal: IdealT) -> tuple[Integer, list[list[Integer]]]:
-        """Return the coordinates of a basis of an ideal over ℤ, integers over a denominator."""
+        """Return the coordinates of a ℤ-basis of an ideal, as integers over a denominator."""
 
     def inverse(self, ideal: IdealT) -> IdealT:
         """Return the inverse of an ideal."""
@@ -283,28 +287,28 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return an ideal from user input: an ideal, a number or an element."""
 
     def is_ideal(self, x: object) -> TypeGuard[IdealT]:
-        """Return whether x acts on lattices as an ideal of the base."""
+        """Return whether x acts on lattices like an ideal of the base."""
 
     def is_totally_positive(self, x: NumberT) -> bool:
         """Return whether an element is positive at all infinite places."""
 
     def sign(self, x: NumberT, place: int) -> int:
-        """Return the sign of an element at a real place, −1, 0 or 1."""
+        """Return the sign of an element at a real place: −1, 0 or 1."""
 
     def real(self, x: NumberT, place: int) -> float:
         """Return an approximation to the value of an element at a real place."""
 
     def ball(self, x: NumberT, place: int) -> arb:
-        """Return a ball around the value, with flint's present precision."""
+        """Return a ball around the value, with flint's current precision."""
 
     def square_root(self, x: NumberT) -> BaseNumber | None:
-        """Return a square root of an element, as one of ``ring``, or None."""
+        """Return a square root of an element, as an element of ``ring``, or None."""
 
     def square_factor(self, x: NumberT) -> NumberT:
-        """Return s with x/s² simple: over ℤ squarefree, elsewhere s = 1."""
+        """Return s such that x/s² is simple: over ℤ squarefree, over other bases s = 1."""
 
     def embeddings_modulo(self, p: int) -> list[list[int]]:
-        """Return the images of the integral basis by the embeddings of the field in 𝔽_p, for a large p."""
+        """Return the images of the integral basis under the embeddings of the field in 𝔽_p, for a large p."""
 
     def splits_completely(self, p: int) -> bool:
         """Return whether a large prime number splits completely in the field."""
@@ -313,10 +317,12 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Return up to a number of short elements of an ideal; over ℤ its generator."""
 
     def ideal_classes(self, most: int) -> list[IdealT]:
-        """Return one ideal of each class, 1 first. Raises :class:`TooLargeError` for more than ``most``."""
+        """Return one ideal of each class, the unit ideal first. Raises :class:`TooLargeError` for more than
+        ``most``.
+        """
 
     def as_rational(self, x: NumberT) -> fmpq | None:
-        """Return an element of the field as a rational number, None for one that is none."""
+        """Return an element of the field as a rational number, or None if it is not rational."""
 
     def trace(self, x: NumberT) -> fmpq:
         """Return the trace of an element down to ℚ."""
@@ -331,21 +337,21 @@ class TypedBase(Protocol[NumberT, IdealT, PrimeT, ResidueT]):
         """Convert an element of ``field`` to one of ``ring``."""
 
     def shown_number(self, x: Integer) -> int | RationalFunction:
-        """Return a number of the domain as a user sees it."""
+        """Return a number of the domain as shown to users."""
 
     def shown_norm(self, lattice: LatticeValue) -> ShownIdeal:
-        """Return the norm of a lattice as a user sees it."""
+        """Return the norm of a lattice as shown to users."""
 
     def shown_index(self, ideal: IdealT) -> ShownIdeal:
-        """Return an ideal as an index that a user sees."""
+        """Return an ideal as an index shown to users."""
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:
-        """Return the step of the exponents of a theta series: the norm over ℤ, elsewhere 1."""
+        """Return the step of the exponents of a theta series: the norm over ℤ, 1 over other bases."""
 
     def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> ThetaSeries:
-        """Return numbers of elements of norms as a user sees them.
+        """Return numbers of elements by norm as shown to users.
 
-        It is a list over ℤ, for the multiples of a step up to a bound, and elsewhere a dict.
+        Over ℤ it is a list, for the multiples of a step up to a bound; over other bases it is a dict.
         """
 
 
@@ -354,7 +360,7 @@ Base: TypeAlias = TypedBase[BaseNumber, BaseIdeal, Prime, Residue]
 
 
 class RationalIntegers:
-    """The integers ℤ; the coordinates of quaternions are those over (1, i, j, k)."""
+    """The ring ℤ; quaternions have coordinates over (1, i, j, k)."""
 
     ring = field = QQ
     degree = 1
@@ -578,7 +584,7 @@ class RationalIntegers:
 
 
 def _square_class(p: int, x: fmpq) -> int:
-    """Return the class of the unit part of a number at p."""
+    """Return the class modulo squares of the unit part of a number at p."""
     n = remove(int(x.p), p)[1] * remove(int(x.q), p)[1]
     return (n % 4 == 3) + 2 * (n % 8 in (3, 5)) if p == 2 else int(kronecker(n, p) < 0)
 
@@ -591,12 +597,12 @@ class OneNarrowClass:
     ideals = (Fraction(1),)
 
     def split(self, ideal: Fraction | int) -> tuple[int, fmpq]:
-        """Return 0, and the ideal as a number."""
+        """Return 0, the number of the only class, and the ideal as a number."""
         return 0, fmpq(ideal.numerator, ideal.denominator)
 
 
 def number_field_integers(base: Base) -> NumberFieldIntegers:
-    """Return a base as the integers of a number field, where the theory is that of number fields.
+    """Return the base, typed as the integers of a number field.
 
     Raises :class:`TypeError` for another base.
     """
@@ -606,7 +612,7 @@ def number_field_integers(base: Base) -> NumberFieldIntegers:
 
 
 def _norm_bound(lattice: LatticeValue, n: object) -> int:
-    """Return the largest multiple of the content that traces of norms may have: at most n."""
+    """Return the largest multiple of the content that is at most n, as a bound of traces of norms."""
     scale = lattice.ambient.scale * lattice.den**2
     return int(fraction(n) * scale // int(lattice.content))
 
@@ -785,9 +791,9 @@ class NumberFieldIntegers:
         return tuple(finite_ramified(a, b, some))
 
     def prime(self, x: object) -> PrimeIdeal:
-        """Return a prime ideal of the field, given as an ideal, or as a prime number that is inert.
+        """Return a prime ideal of the field, given as an ideal or as an inert prime number.
 
-        Raises :class:`LatticeError` for what is none.
+        Raises :class:`LatticeError` for anything else.
         """
         place = x
         if not isinstance(x, PrimeIdeal):

@@ -51,7 +51,7 @@ class BaseNumber(product.Scalar, Protocol):
 
 
 class BaseIdeal(Protocol):
-    """A fractional ideal of a base: over ℤ the positive Fraction that generates it; 1 is the unit ideal."""
+    """A fractional ideal of a base; over ℤ it is its positive generator, a Fraction."""
 
     def __mul__(self, other: Self, /) -> Self: ...
     def __truediv__(self, other: Self, /) -> Self: ...
@@ -78,11 +78,11 @@ class IdealClassGroup(Protocol[IdealT_contra]):
         """The orders of the cyclic groups."""
 
     def class_of(self, ideal: IdealT_contra, /) -> tuple[int, ...]:
-        """Return the class of an ideal, its coordinates in the cyclic groups."""
+        """Return the class of an ideal as coordinates in the cyclic groups."""
 
 
 class NarrowRepresentatives(Protocol[NumberT_co, IdealT]):
-    """Ideals as products ν·a with ν totally positive, and a in a list of one ideal of each narrow class."""
+    """Ideals as products ν·a with ν totally positive and a in a list of representatives of narrow classes."""
 
     @property
     def order(self) -> int:
@@ -94,10 +94,10 @@ class NarrowRepresentatives(Protocol[NumberT_co, IdealT]):
 
     @property
     def ideals(self) -> Sequence[IdealT]:
-        """One ideal of each class met so far."""
+        """One ideal of each class that has occurred so far."""
 
     def split(self, ideal: IdealT, /) -> tuple[int, NumberT_co]:
-        """Return the number of a in the list, and ν."""
+        """Return the index of a in the list, and ν."""
 
 
 ThetaSeries: TypeAlias = list[int] | dict[BaseNumber, int]
@@ -105,11 +105,11 @@ ThetaSeries: TypeAlias = list[int] | dict[BaseNumber, int]
 
 
 class TrivialClassGroup:
-    """The trivial class group of a base whose ideals are all principal in the wanted sense."""
+    """The trivial class group of a base in which all ideals are principal in the required sense."""
 
     order = 1
     invariants: tuple[int, ...] = ()
 
     def class_of(self, ideal: object) -> tuple[int, ...]:
-        """Return the one class."""
+        """Return the only class."""
         return ()

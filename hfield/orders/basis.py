@@ -1,9 +1,9 @@
-"""Bases of quaternion algebras over ℤ, and multiplication, conjugation and traces as integer matrices.
+"""Bases of quaternion algebras over ℤ; multiplication, conjugation and traces as integer matrices.
 
 An element ``w + x·I + y·J + z·IJ`` is a row of 4n rational numbers. Each of w, x, y and z has n coordinates
-in the integral basis ω of the base. Over ℚ the row has the coordinates over (1, i, j, k); the constants
-(a, t, b) may be fractions. Over GF(q)(t) polynomials take the place of integers: n is 1, and a row has four
-rational functions. Matrices act on rows from the right.
+in the integral basis ω of the base. Over ℚ the row has the coordinates over (1, i, j, k); the constants (a,
+t, b) may be fractions. Over GF(q)(t) polynomials replace integers: n is 1, and a row has four rational
+functions. Matrices act on rows from the right.
 """
 
 from __future__ import annotations
@@ -46,11 +46,11 @@ UNITS: list[Coordinates[int]] = [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0
 
 
 class AlgebraBasis:
-    """A basis of an algebra over ℚ, ``size`` = 4n elements ω·1, ω·I, ω·J, ω·IJ, and its products.
+    """A basis of an algebra over ℚ, ``size`` = 4n elements ω·1, ω·I, ω·J, ω·IJ, and its multiplication.
 
-    ``right[m]`` is the matrix of ``q ↦ q·(element m)`` and ``left[m]`` that of ``q ↦ (element m)·q``, and
-    ``traces[k]`` the matrix of the k-th coordinate of ``tr(x·conj(y))`` in ω; they are ``scale`` times too
-    large, so that they are integral. ``conjugation`` is ``conjugate_scale`` times too large.
+    ``right[m]`` is the matrix of ``q ↦ q·(element m)``, ``left[m]`` that of ``q ↦ (element m)·q``, and
+    ``traces[k]`` the matrix of the k-th coordinate of ``tr(x·conj(y))`` in ω. All are multiplied by ``scale``
+    so that they are integral; ``conjugation`` is multiplied by ``conjugate_scale``.
     """
 
     def __init__(self, algebra: Parent, base: Base) -> None:
@@ -91,7 +91,7 @@ class AlgebraBasis:
         return basis_of, (self.algebra,)
 
     def _matrix(self, images: Iterable[Sequence[BaseNumber | int]]) -> fmpq_mat:
-        """Return the matrix of a linear map over the base by its images of 1, I, J, IJ."""
+        """Return the matrix of a linear map over the base, given the images of 1, I, J, IJ."""
         numbers = [w * x for q in images for w in self.base.integral_basis for x in q]
         entries = self.base.coordinate_rows(numbers).entries()
         return self.domain.fraction_matrix(self.size, self.size, entries)
@@ -104,7 +104,7 @@ class AlgebraBasis:
 
     @cached_property
     def _norms(self) -> dict[str, list[fmpz_mat]]:
-        """The coordinates of ``x·conj(y)``, and of ``conj(x)·y`` on the right."""
+        """The coordinates of ``x·conj(y)``, or of ``conj(x)·y`` for the right side, as bilinear forms."""
         bars = self.conjugation
         return {
             "left": [form * bars.transpose() for form in self._coordinates],
@@ -113,13 +113,13 @@ class AlgebraBasis:
 
     @cached_property
     def pairs(self) -> list[tuple[int, int]]:
-        """The pairs of two numbers of basis elements."""
+        """The pairs of indices of basis elements."""
         return list(combinations(range(self.size), 2))
 
     # --- elements ----------------------------------------------------------------------------------
 
     def parts(self, row: Sequence[Rational]) -> Coordinates[BaseNumber]:
-        """Return w, x, y, z, numbers of the field."""
+        """Return w, x, y, z as numbers of the field."""
         n, number = self.degree, self.base.element_of
         w, x, y, z = (number(row[k : k + n]) for k in range(0, self.size, n))
         return w, x, y, z
@@ -135,11 +135,11 @@ class AlgebraBasis:
         return q
 
     def row(self, x: object) -> fmpq_mat:
-        """Return a value that the algebra reads as an element, as a matrix of one row."""
+        """Return a value that the algebra can read as an element, as a matrix with one row."""
         return self.rows([x])
 
     def rows(self, elements: Sequence[object]) -> fmpq_mat:
-        """Return what the algebra reads as elements, one a row."""
+        """Return values that the algebra can read as elements, one per row."""
         inside, into, numbers = self.base.inside, self._quaternions.into, list[BaseNumber]()
         for x in elements:
             q = x if isinstance(x, Quaternion) and x.algebra is self.algebra else self.algebra(x)
@@ -153,11 +153,11 @@ class AlgebraBasis:
 
     @cached_property
     def one(self) -> fmpq_mat:
-        """The element 1, a matrix of one row."""
+        """The element 1, as a matrix with one row."""
         return self.row(1)
 
     def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
-        """Return the same as integers over a denominator."""
+        """Return the row of :meth:`row` as integers over a denominator."""
         row, den = self.row(x).numer_denom()
         return self.domain.integer(den), row.entries()
 
@@ -177,16 +177,16 @@ class AlgebraBasis:
     # --- products ----------------------------------------------------------------------------------
 
     def products(self, rows: fmpz_mat, others: fmpz_mat) -> fmpz_mat:
-        """Return the products of all rows with all others, one a row, ``scale`` times too large."""
+        """Return the products of all rows with all others, one per row, multiplied by ``scale``."""
         columns = others.transpose()
         found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
         entries = [x for row in found for x in row]
         return self.domain.matrix(rows.nrows() * others.nrows(), self.size, entries)
 
     def norm_products(self, rows: fmpz_mat, side: str) -> fmpz_mat:
-        """Return the products ``x·conj(y)`` of the pairs of a basis, ``conj(x)·y`` on the right.
+        """Return the products ``x·conj(y)`` of all pairs of a basis, or ``conj(x)·y`` for the right side.
 
-        They are ``scale·conjugate_scale`` times too large.
+        They are multiplied by ``scale·conjugate_scale``.
         """
         columns = rows.transpose()
         found = [rows * form * columns for form in self._norms[side]]
@@ -198,23 +198,25 @@ class AlgebraBasis:
         return combined(self.left, row)
 
     def right_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
-        """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
+        """Return ``scale`` times the matrix of ``q ↦ q·x``, for an integer row x."""
         return combined(self.right, row)
 
     def times(self, x: fmpq_mat | Sequence[fmpq], side: str = "right") -> fmpq_mat:
-        """Return the matrix of ``q ↦ q·x`` for an element, one row; of ``q ↦ x·q`` for the side left."""
+        """Return the matrix of ``q ↦ q·x`` for an element with one row, or of ``q ↦ x·q`` for the
+        left side.
+        """
         whole = self.domain.fraction_matrix(1, self.size, list(x)) if isinstance(x, Sequence) else x
         row, den = whole.numer_denom()
         matrix = (self.right_matrix if side == "right" else self.left_matrix)(row.entries())
         return matrix * self.domain.fraction(1, den * self.scale)
 
     def scalar(self, x: BaseNumber) -> fmpq_mat:
-        """Return the matrix of the multiplication by a number of the field."""
+        """Return the matrix of multiplication by a number of the field."""
         row, den = self.base.coordinate_rows([x]).numer_denom()
         return self.scalar_matrix(row.entries()) * self.domain.fraction(1, den)
 
     def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
-        """Return the same for integer coordinates of a number in the integral basis."""
+        """Return the matrix of multiplication by a number with integer coordinates in the integral basis."""
         return combined(self.scalars, row)
 
     def times_scalar(self, rows: fmpz_mat, number: Sequence[int | fmpz]) -> fmpz_mat:
@@ -225,25 +227,27 @@ class AlgebraBasis:
 
     @cached_property
     def identity(self) -> fmpz_mat:
-        """The lattice of 1, I, J, IJ."""
+        """The lattice spanned by 1, I, J, IJ."""
         size = range(self.size)
         return self.domain.matrix([[int(m == k) for m in size] for k in size])
 
     @cached_property
     def integers(self) -> fmpz_mat:
-        """The integers of the base, one a row."""
+        """The integral basis of the base, one element per row."""
         n = self.degree
         return self.domain.matrix([[int(m == k) for m in range(self.size)] for k in range(n)])
 
     @cached_property
     def base_multiplications(self) -> list[fmpz_mat]:
-        """The matrices of the multiplication by the integral basis on its coordinates."""
+        """The matrices of multiplication by the integral basis, on coordinates of numbers."""
         omega = self.base.integral_basis
         tables = (self.base.coordinate_rows([v * w for v in omega]) for w in omega)
         return [_integral(table, 1) for table in tables]
 
     def number_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
-        """Return the multiplication by a number with integer coordinates, on coordinates of numbers."""
+        """Return the matrix of multiplication by a number with integer coordinates, on coordinates of
+        numbers.
+        """
         return combined(self.base_multiplications, row)
 
     def inverse_number(self, row: Sequence[int | fmpz]) -> tuple[list[fmpz], int]:
@@ -265,20 +269,20 @@ class AlgebraBasis:
     # --- norms -------------------------------------------------------------------------------------
 
     def grams(self, rows: fmpz_mat) -> list[fmpz_mat]:
-        """Return the matrices of the coordinates of ``tr(x·conj(y))`` on rows, ``scale`` times too large."""
+        """Return ``scale`` times the Gram matrices of rows, one for each coordinate of ``tr(x·conj(y))``."""
         columns = rows.transpose()
         return [rows * form * columns for form in self.traces]
 
     def forms(self, rows: fmpz_mat) -> list[fmpz_mat]:
-        """Return the matrices F for which ``x·F·x`` is ``form_factor·scale`` times a coordinate of N(x).
+        """Return the matrices F such that ``x·F·x`` is ``form_factor·scale`` times a coordinate of N(x).
 
-        Over ℤ they are those of :meth:`grams`, which in characteristic 2 do not determine norms.
+        Over ℤ they are those of :meth:`grams`; in characteristic 2 those do not determine norms.
         """
         columns = rows.transpose()
         return [rows * form * columns for form in self.norm_forms]
 
     def form(self, c: BaseNumber) -> fmpq_mat:
-        """Return the matrix of the form ``Tr(c·tr(x·conj(y)))``, twice Tr(c·N(x)) for x = y."""
+        """Return the matrix of the form ``Tr(c·tr(x·conj(y)))``, which is 2·Tr(c·N(x)) for x = y."""
         base = self.base
         terms = [
             form * base.trace(c * w)
@@ -299,23 +303,23 @@ class AlgebraBasis:
 
     @cached_property
     def trace_form(self) -> fmpz_mat:
-        """The matrix of ``Tr(tr(x·conj(y)))``, ``scale`` times too large."""
+        """``scale`` times the matrix of ``Tr(tr(x·conj(y)))``."""
         found = self.form(self.base.field.one) * self.scale
         return found.numer_denom()[0]
 
     @cached_property
     def definite(self) -> bool:
-        """Whether the algebra is totally definite: whether it ramifies at all infinite places."""
+        """Whether the algebra is totally definite, that is, ramifies at all infinite places."""
         return self.base.is_definite(self.constants)
 
     @cached_property
     def has_majorant(self) -> bool:
-        """Whether bases are reduced: in definite algebras, and over ℚ and the field of degree 1 in all."""
+        """Whether bases can be reduced: in definite algebras, and in all algebras over ℚ."""
         return self.definite or (self.degree == 1 and bool(self.base.real_places))
 
     @cached_property
     def majorant(self) -> fmpz_mat:
-        """A positive definite form on the rows that Tr(N(x)) does not exceed, up to a scale.
+        """A positive definite form on rows that is, up to a scale, an upper bound of Tr(N(x)).
 
         Raises :class:`IndefiniteError` for an indefinite algebra over a field other than ℚ.
         """
@@ -348,7 +352,7 @@ class AlgebraBasis:
 
     @cached_property
     def unit_discriminant(self) -> BaseIdeal:
-        """The reduced discriminant of the lattice of 1, I, J, IJ, an ideal: that of (t² + 4a)·b."""
+        """The reduced discriminant of the lattice of 1, I, J, IJ: the ideal of (t² + 4a)·b."""
         a, t, b = self.constants
         return self.base.principal((t * t + a * 4) * b)
 
@@ -368,7 +372,7 @@ class AlgebraBasis:
 
     @property
     def is_fuchsian(self) -> bool:
-        """Whether the field is totally real and the algebra splits at one of its real places alone."""
+        """Whether the field is totally real and the algebra splits at exactly one real place."""
         return self.base.is_totally_real and len(self.split_places) == 1
 
 
@@ -382,7 +386,7 @@ def _integral(matrix: fmpq_mat, scale: int) -> fmpz_mat:
 
 
 def combined(matrices: list[fmpz_mat], row: Sequence[int | fmpz]) -> fmpz_mat:
-    """Return the sum of matrices times numbers."""
+    """Return the linear combination of matrices with the given coefficients."""
     found = matrices[0] * row[0]
     for n in range(1, len(matrices)):
         if row[n]:
@@ -408,8 +412,8 @@ def basis_of(algebra: Parent) -> AlgebraBasis:
 
 @lru_cache(maxsize=64)
 def base_of(ring: Ring) -> Base:
-    """Return the integers of a field. Raises :class:`RingError` for a field over which no orders are."""
-    # which kind of base it is, and so of which types its numbers, ideals and primes are, is hidden here
+    """Return the integers of a field. Raises :class:`RingError` for a field without orders."""
+    # the kind of base, and with it the types of its numbers, ideals and primes, is hidden here
     return cast("Base", _integers_of(ring))
 
 

@@ -1,4 +1,4 @@
-"""Brandt matrices over any base, computed from neighbours, Hecke relations or elements of given norm."""
+"""Brandt matrices over any base, from neighbours, Hecke relations or elements of given norm."""
 
 from __future__ import annotations
 
@@ -68,9 +68,9 @@ def expect_matrix_fits(classes: int) -> None:
 
 
 def brandt_matrix(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
-    """Return the Brandt matrix of an integral ideal: (i, j) counts the ideals of that norm in I_i of class j.
+    """Return the Brandt matrix of an integral ideal: (i, j) counts the ideals of this norm in I_i in class j.
 
-    They are the invertible ideals of that relative norm. Raises :class:`TooLargeError`.
+    Invertible ideals with this relative norm are counted. Raises :class:`TooLargeError`.
     """
     expect_matrix_fits(len(classes))
     factors = classes.ambient.base.factorisation(norm)
@@ -80,7 +80,9 @@ def brandt_matrix(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
 
 
 def brandt_lists(classes: Classes, norm: BaseIdeal) -> Matrix:
-    """Return the same as lists of ints, by neighbours without a matrix where these are listed."""
+    """Return the Brandt matrix as lists of ints, from listed neighbours without a matrix if they
+    are known.
+    """
     expect_matrix_fits(len(classes))
     factors = classes.ambient.base.factorisation(norm)
     if [e for _, e in factors] != [1] or not _is_listed(classes, factors[0][0]):
@@ -101,9 +103,9 @@ def identity(classes: Classes) -> fmpz_mat:
 def prime_power(classes: Classes, P: Prime, e: int) -> fmpz_mat:
     """Return the Brandt matrix of Pᵉ. Raises :class:`TooLargeError`.
 
-    Off the discriminant it is made by the classes of P·I (Voight, section 41.3). Where the algebra ramifies
-    and the order is maximal it is a power. For other orders that are not of level P the ideals of norm Pᵉ are
-    listed where they are few, or elements counted.
+    Away from the discriminant it is computed with the classes of P·I (Voight, section 41.3). If the algebra
+    ramifies at P and the order is maximal there, it is a power. For other orders not of level P, either the
+    ideals of norm Pᵉ are listed, if they are few, or elements are counted.
     """
     expect_matrix_fits(len(classes))
     base, ambient = classes.ambient.base, classes.ambient
@@ -141,7 +143,7 @@ def of_permutation(moved: Sequence[int]) -> fmpz_mat:
 
 
 def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
-    """Return T(Pᵉ) of T(Pᵏ⁺¹) = T(P)·T(Pᵏ) − T(Pᵏ⁻¹)·weight, e at least 1 (Voight, 41.2)."""
+    """Return T(Pᵉ), e ≥ 1, by T(Pᵏ⁺¹) = T(P)·T(Pᵏ) − T(Pᵏ⁻¹)·weight (Voight, 41.2)."""
     if e == 1:
         return step
     before, current = step**0, step
@@ -151,11 +153,11 @@ def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
 
 
 def _at_level(classes: Classes, P: Prime, e: int) -> fmpz_mat:
-    """Return the Brandt matrix of Pᵉ for an order that is Eichler of level P there.
+    """Return the Brandt matrix of Pᵉ for an order that is Eichler of level P at P.
 
-    The ideals K of norm P are the radical W, and those that lie with W in one of the two maximal ideals. With
-    U and V of either kind, Pᵉ has those of diagonal matrices, Dₑ = Uᵉ + Vᵉ + central·Dₑ₋₂, and W·Dₑ₋₁ (the
-    affine Weyl group of GL₂).
+    The ideals of norm P are the radical W, and ideals whose sum with W is one of the two maximal ideals. Let
+    U and V be the Brandt matrices of these two kinds. The Brandt matrix of Pᵉ is Dₑ + W·Dₑ₋₁ with Dₑ = Uᵉ +
+    Vᵉ + central·Dₑ₋₂, where Dₑ counts the ideals of diagonal matrices (the affine Weyl group of GL₂).
     """
     radical, ideals = two_sided_prime(classes.order, P), classes.at_prime(P).ideals
     sums = [add(ideal, radical) for ideal in ideals]
@@ -185,7 +187,7 @@ def _is_short(classes: Classes, P: Prime, e: int) -> bool:
 
 
 def _by_listing(classes: Classes, P: Prime, e: int) -> fmpz_mat:
-    """Return the Brandt matrix of Pᵉ by the ideals of this norm in the order, moved to each ideal."""
+    """Return the Brandt matrix of Pᵉ by listing the ideals of this norm in the order and moving them."""
     order, ambient = classes.order, classes.ambient
     ideal = ambient.base.prime_ideal(P) ** e
     found, rows = of_prime_power_norm(order, P, e), []
@@ -199,10 +201,10 @@ def _by_listing(classes: Classes, P: Prime, e: int) -> fmpz_mat:
 
 
 def by_elements(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
-    """Return the Brandt matrix of an ideal for any order: the x·I_j in I_i, x modulo units.
+    """Return the Brandt matrix of an ideal for any order, by counting x modulo units with x·I_j inside I_i.
 
-    N(x) generates norm·N(I_i)/N(I_j), and of all x·u, u a unit of the base, one of ±x has one of the totally
-    positive generators modulo squares of units as its norm. Raises :class:`TooLargeError`.
+    N(x) generates norm·N(I_i)/N(I_j). Among all x·u with u a unit of the base, exactly one of ±x has as its
+    norm one of the totally positive generators modulo squares of units. Raises :class:`TooLargeError`.
     """
     base, keys = classes.ambient.base, classes.keys
     if base.absolute_norm(norm) > MAX_NORM:
@@ -232,18 +234,19 @@ def by_elements(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
 
 
 def _is_listed(classes: Classes, P: Prime) -> bool:
-    """Return whether the neighbours at a prime are known, or so few that listing them is quickest."""
+    """Return whether the neighbours at a prime are known, or few enough that listing them is fastest."""
     base, h = classes.ambient.base, len(classes)
     number = base.absolute_norm(base.prime_ideal(P)) + 1
     return classes.has_rows(P) or number < 12 + h * h // 40_000 or number >= MODULUS
 
 
 def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
-    """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
+    """Return the Brandt matrix of a prime from one of its rows, or None if that row does not determine it.
 
-    B(P) commutes with T = B(Q), Q the least prime off the discriminant. So if v, vT, vT², … are the
-    rows of K, those of K·B(P) are w, wT, wT², … for w = v·B(P); with K invertible modulo
-    a prime above N(P) + 1, which bounds the entries, B(P) is known. v stands for one class.
+    B(P) commutes with T = B(Q), where Q is the least prime away from the discriminant. If K has the rows v,
+    vT, vT², …, then K·B(P) has the rows w, wT, wT², … for w = v·B(P). So B(P) is determined if K is
+    invertible modulo a prime larger than N(P) + 1, which bounds the entries. The vector v is the unit vector
+    of one class.
     """
     base, h = classes.ambient.base, len(classes)
     if _is_listed(classes, P):
@@ -266,7 +269,8 @@ def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
             v = np.add.reduceat(v[rows] * times, starts) % MODULUS
         return nmod_mat(len(kept), len(kept), np.concatenate(found).tolist(), MODULUS)
 
-    # what commutes with the exchange of classes maps even and odd vectors to such
+    # a matrix that commutes with the exchange of classes maps even vectors to even ones and odd to
+    # odd
     swap = np.array(_involution(classes, base.prime_ideal(P)))
     n = next((n for n in range(h // 2, h) if swap[n] != n), h // 2)
     v, w = np.zeros(h, dtype=np.int64), np.zeros(h, dtype=np.int64)
@@ -284,7 +288,7 @@ def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
             found = known.solve(wanted)
         except ZeroDivisionError:  # v lies in a part that T leaves to itself
             return None
-        # B[i, j] ± B[swapped i, j]; once, where i is not swapped
+        # B[i, j] ± B[swapped i, j]; a single term if the swap fixes i
         part = np.array([int(x) for x in found.entries()]).reshape(len(kept), len(kept))
         whole = np.zeros((len(kept), h), dtype=np.int64)
         whole[:, kept] = part
@@ -296,9 +300,10 @@ def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
 
 
 def _involution(classes: Classes, norm: BaseIdeal) -> list[int]:
-    """Return an involution of the classes with which the Brandt matrix of an ideal commutes.
+    """Return an involution of the classes that commutes with the Brandt matrix of an ideal.
 
-    It is the exchange by a two-sided prime ideal at a prime that does not divide the norm, or trivial.
+    It is multiplication by the two-sided prime ideal at a prime that does not divide the norm, or the
+    identity.
     """
     base, h = classes.ambient.base, range(len(classes))
     off = {P for P, _ in base.factorisation(norm)}
@@ -313,8 +318,8 @@ def _involution(classes: Classes, norm: BaseIdeal) -> list[int]:
 def hecke_polynomial(classes: Classes, norm: BaseIdeal) -> list[int]:
     """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
-    Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
-    Raises :class:`TooLargeError`.
+    If a two-sided prime ideal exchanges classes, the polynomial is a product of two factors, one for each
+    Atkin–Lehner sign. Raises :class:`TooLargeError`.
     """
     expect_matrix_fits(len(classes))
     h = range(len(classes))
@@ -338,7 +343,7 @@ def hecke_polynomial(classes: Classes, norm: BaseIdeal) -> list[int]:
 
 
 def brandt_rows(classes: Classes, norm: BaseIdeal) -> SparseRows:
-    """Return the entries of a Brandt matrix that are not 0, row by row; for a prime they are few."""
+    """Return the nonzero entries of a Brandt matrix, row by row; for a prime they are few."""
     factors = classes.ambient.base.factorisation(norm)
     if len(factors) == 1 and factors[0][1] == 1:
         return classes.neighbours(factors[0][0])
@@ -346,7 +351,7 @@ def brandt_rows(classes: Classes, norm: BaseIdeal) -> SparseRows:
 
 
 def sparse(matrix: fmpz_mat) -> SparseRows:
-    """Return the entries of a matrix that are not 0, row by row."""
+    """Return the nonzero entries of a matrix, row by row."""
     rows, size = SparseRows(), range(matrix.ncols())
     for i in range(matrix.nrows()):
         rows.append({j: c for j in size if (c := int(matrix[i, j]))})
@@ -354,6 +359,6 @@ def sparse(matrix: fmpz_mat) -> SparseRows:
 
 
 def dense(matrix: fmpz_mat) -> Matrix:
-    """Return a matrix as lists of ints, without a second copy of it as integers of flint."""
+    """Return a matrix as lists of ints, without a second copy as flint integers."""
     size = range(matrix.ncols())
     return [[int(matrix[i, j]) for j in size] for i in range(matrix.nrows())]

@@ -1,7 +1,7 @@
-"""Orders, ideals and answers about them as certificates ``hfield-cert/2``.
+"""Certificates ``hfield-cert/2`` of orders, ideals and results about them.
 
-``_Rational``, ``_OverField`` and ``_OverPolynomials`` are the vocabularies of statements and evidence over
-ℤ, the integers of a number field and 𝔽_q[t]. docs/reference/certificates.md lists them.
+``_Rational``, ``_OverField`` and ``_OverPolynomials`` define how statements and evidence are written over ℤ,
+the integers of a number field and 𝔽_q[t]. docs/reference/certificates.md lists them.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def of_order(order: LatticeValue) -> CertifiedClaim:
 
 
 def of_ideal(ideal: LatticeValue, side: str, order: LatticeValue) -> CertifiedClaim:
-    """Return that this is a locally principal ideal of its order, and its norm."""
+    """Return the claim that an ideal of an order is locally principal and has this norm."""
     words = _words(ideal.ambient)
     about = f"{text(ideal)}; {_side(side)}; {text(order)}; {words.size(ideal.norm)}"
     return words.claim(IDEAL, about, IDEAL)
@@ -101,7 +101,8 @@ def of_equivalence(
 ) -> CertifiedClaim:
     """Return the certified claim that an element maps one ideal onto another, or that none does.
 
-    ``between`` has the c with first·c in second, or c·first on the right; without it, it is computed.
+    ``between`` is the lattice of all c with first·c in second, or c·first in second for right ideals; it is
+    computed if it is not given.
     """
     about = f"{_side(side)}; {text(first)}; {text(second)}"
     words = _words(first.ambient)
@@ -116,7 +117,7 @@ def of_equivalence(
 def of_isomorphism(
     first: LatticeValue, second: LatticeValue, result: Verdict[Quaternion]
 ) -> CertifiedClaim:
-    """Return that an element conjugates one order into another, or that the orders are not isomorphic."""
+    """Return the claim that an element conjugates one order into another, or that they are not isomorphic."""
     about = f"{text(first)}; {text(second)}"
     words = _words(first.ambient)
     if result:
@@ -128,14 +129,14 @@ def of_isomorphism(
 
 
 def _proved(words: _Words, word: str, about: str, result: Verdict[Quaternion]) -> CertifiedClaim:
-    """Return a proved verdict on the existence of an element; None without the element."""
+    """Return a proved verdict that an element exists; None if the element is not known."""
     if result.element is None:
         return words.claim(word, about, "strong approximation", refusal=REFUSAL)
     return words.claim(word, about, ELEMENT, element=words.element(result.element))
 
 
 def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> CertifiedClaim:
-    """Return a refuted verdict on the existence of an element; None without evidence."""
+    """Return a refuted verdict that an element exists; None without evidence."""
     if found is None:
         reason = "nothing that the checker follows was found to tell them apart"
         return words.claim(word, about, ENUMERATION, "refuted", refusal=reason)
@@ -166,17 +167,17 @@ def of_units(
 
 
 def of_class_set(classes: Classes) -> CertifiedClaim:
-    """Return how many right ideal classes an order has, with one ideal of each."""
+    """Return the claim of the number of right ideal classes of an order, with one ideal of each."""
     return _words(classes.ambient).class_set(classes)
 
 
 def of_embedding(
     order: LatticeValue, d: object, element: Quaternion | None, prime: object = None
 ) -> CertifiedClaim:
-    """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
+    """Return the claim that a quadratic order is, or is not, optimally embedded in an order over ℤ.
 
-    That it is not is shown by a prime at which there is no embedding, or in a definite algebra by a list.
-    Raises :class:`LatticeError` over another base, and without a prime in an indefinite algebra.
+    The evidence for nonexistence is a prime without a local embedding, or in a definite algebra a complete
+    list. Raises :class:`LatticeError` over another base, and in an indefinite algebra if no prime is given.
     """
     _expect_rational_base(order)
     words = _words(order.ambient)
@@ -205,9 +206,8 @@ def of_embedding_orbits(
 ) -> CertifiedClaim:
     """Return the claim of the number of orbits of embeddings under units of norm 1, conjugates included.
 
-    Their points lie in the domain around a centre that the units bound, for d < 0. For d > 0, where the
-    elements are one of each orbit, the checker is not asked. Raises :class:`LatticeError` over another base
-    than ℤ.
+    For d < 0 the fixed points lie in the domain around a centre that the units bound. For d > 0 the elements
+    are one of each orbit, and there is no certificate. Raises :class:`LatticeError` over bases other than ℤ.
     """
     _expect_rational_base(order)
     written = _words(order.ambient).element
@@ -271,13 +271,13 @@ def of_newforms(
 
 
 def text(lattice: LatticeValue) -> str:
-    """Write a basis over ℤ as statements do."""
+    """Write a ℤ-basis of a lattice in the notation of statements."""
     write = lattice.algebra.ring.text
     return " | ".join(",".join(map(write, q.coordinates)) for q in lattice.basis)
 
 
 def element_json(ambient: AlgebraBasis, q: Quaternion) -> object:
-    """Return an element as evidence has it."""
+    """Return an element in the notation of evidence."""
     return _words(ambient).element(q)
 
 
@@ -290,17 +290,17 @@ def class_group_primes(ambient: AlgebraBasis) -> list[Prime]:
 
 
 def _side(side: str) -> str:
-    """Return the side on which a statement is made; a two-sided ideal is a left one."""
+    """Return the side that a statement names; a two-sided ideal counts as a left ideal."""
     return "right" if side == "right" else "left"
 
 
 def lattice_json(lattice: LatticeValue) -> dict[str, object]:
-    """Return a reduced basis of a lattice as evidence has it."""
+    """Return a reduced basis of a lattice in the notation of evidence."""
     return _basis(lattice, lattice.ambient.base.field.one)
 
 
 def _basis(lattice: LatticeValue, norm: BaseNumber) -> dict[str, object]:
-    """Return a basis of a lattice that is reduced for Tr(N(x)/ν): it is run through quickly."""
+    """Return a basis of a lattice reduced for Tr(N(x)/ν), so that enumeration is fast."""
     if lattice.ambient.base.as_rational(norm) is not None:  # the form is a multiple of Tr(N(x))
         rows = lattice.reduced[0] * flint.fmpq(1, lattice.den)
     else:
@@ -310,7 +310,7 @@ def _basis(lattice: LatticeValue, norm: BaseNumber) -> dict[str, object]:
 
 
 def _coordinates(ambient: AlgebraBasis, rows: flint.fmpq_mat) -> tuple[int, list[list[int]]]:
-    """Return elements w + x·i + y·j + z·k as rows over a denominator: w, x, y, z in the integral basis."""
+    """Return elements w + x·i + y·j + z·k as rows over a denominator, with parts in the integral basis."""
     base = ambient.base
     numbers = [base.inside(x) for row in rows.tolist() for x in ambient.quaternion(row).coordinates]
     entries = base.coordinate_rows(numbers).entries()
@@ -322,7 +322,7 @@ def _coordinates(ambient: AlgebraBasis, rows: flint.fmpq_mat) -> tuple[int, list
 
 
 class _Words(Protocol):
-    """How statements and evidence over a base are written."""
+    """The notation of statements and evidence over a base."""
 
     names: ClassVar[dict[str, str]]
     """The words that are not the plain ones."""
@@ -336,7 +336,7 @@ class _Words(Protocol):
         """Return an element of the algebra."""
 
     def of_mass(self, order: LatticeValue) -> dict[str, object]:
-        """Return what a formula for a mass or an area needs besides the order."""
+        """Return the data, besides the order, that a formula for a mass or an area needs."""
 
     def claim(
         self,
@@ -350,13 +350,13 @@ class _Words(Protocol):
         """Return a statement with its evidence."""
 
     def of_unit_index(self, order: LatticeValue) -> dict[str, object]:
-        """Return what shows how many units there are modulo those of the base."""
+        """Return the evidence for the number of units modulo those of the base."""
 
     def class_set(self, classes: Classes) -> CertifiedClaim:
-        """Return how many right ideal classes an order has, with one ideal of each."""
+        """Return the claim of the number of right ideal classes of an order, with one ideal of each."""
 
     def primes_text(self, primes: Sequence[Prime]) -> str:
-        """Write primes as statements do."""
+        """Write primes in the notation of statements."""
 
     def with_primes(self, shown: dict[str, object], primes: Sequence[Prime]) -> dict[str, object]:
         """Return the evidence, extended by the data of some primes."""
@@ -375,7 +375,7 @@ def _words(ambient: AlgebraBasis) -> _Words:
 
 
 class _Rational:
-    """Statements over ℤ."""
+    """The notation over ℤ."""
 
     names: ClassVar = {ISOMORPHIC: "isomorphic-orders"}
     states_maximality: ClassVar = True
@@ -436,9 +436,9 @@ class _Rational:
         return ENUMERATION, {"between": _basis(between, self.ambient.base.inside(size))}
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
-        """Return a trace and norm of which one order has more elements.
+        """Return a trace and norm for which one order has more elements than the other.
 
-        Ternary theta series, to sufficiently many terms, distinguish all orders (Schiemann, *Math. Ann.* 308,
+        Sufficiently many terms of ternary theta series distinguish all orders (Schiemann, *Math. Ann.* 308,
         1997).
         """
         orders = [first, second]
@@ -462,7 +462,7 @@ class _Rational:
 
 
 class _OverField:
-    """Statements over the integers of a number field."""
+    """The notation over the integers of a number field."""
 
     names: ClassVar = {
         word: f"{word}-over-integers"
@@ -565,14 +565,14 @@ class _OverField:
         return ENUMERATION, {"pair": pair, "order": _basis(second, self.ambient.base.field.one)}
 
     def _units(self) -> dict[str, object]:
-        """Return what shows the units of the field."""
+        """Return the evidence for the units of the field."""
         ring = self.integers.ring
         units = ring.unit_group().generators
         shown = evidence.evidence(s_units(ring))
         return {"units": shown, "fundamental": list(map(ring.coordinates, units))}
 
     def _class(self, classes: Classes, n: int) -> dict[str, object]:
-        """Return a reduced basis and a generator of the norm."""
+        """Return a reduced basis and a generator of the norm for class n."""
         norm, integers = classes.norms[n], self.integers
         return {
             **_basis(classes.lattice(n), norm.element),
@@ -582,7 +582,7 @@ class _OverField:
 
 
 class _OverPolynomials:
-    """Statements over the polynomials over a finite field; evidence is written as statements are."""
+    """The notation over polynomials over a finite field; evidence is written like statements."""
 
     names: ClassVar = {
         word: f"{word}-over-polynomials"
@@ -611,7 +611,7 @@ class _OverPolynomials:
         return {"order": self.reduced_text(order)}
 
     def reduced_text(self, lattice: LatticeValue) -> str:
-        """Return a reduced basis."""
+        """Return a reduced basis in the notation of statements."""
         return " | ".join(map(self.element, lattice.elements(lattice.reduced[0])))
 
     def claim(
@@ -669,22 +669,22 @@ VOCABULARIES: dict[str, Callable[[AlgebraBasis], _Words]] = {
 
 
 def _two_short_generators(order: LatticeValue) -> tuple[Quaternion, Quaternion]:
-    """Return two elements of a reduced basis that do not commute."""
+    """Return two noncommuting elements of a reduced basis."""
     elements = order.elements(order.reduced[0])
     pairs = combinations(elements, 2)
     return next((x, y) for x, y in pairs if x * y != y * x)
 
 
 def _primes(order: LatticeValue) -> list[object]:
-    """Return the prime ideals that the mass formula and Siegel's ask for."""
+    """Return the prime ideals that the mass formula and Siegel's formula need."""
     s = s_units(order.ambient.base.ring)
-    # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
+    # σ₁ is summed over ideals of norm at most the discriminant, whose square factors must be known
     wanted = {p for p in range(2, math.isqrt(s.field.discriminant()) + 1) if is_prime(p)}
     wanted |= set(factorise(order.ambient.base.absolute_norm(discriminant(order))))
     return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
 def _product(ring: NumberField, a: FractionalIdeal) -> list[object]:
-    """Return x and exponents with a = x·∏P^e, P in S."""
+    """Return x and exponents with a = x·∏P^e, where P runs through S."""
     x, exponents = ring.class_group().factors(a)
     return [x.field.coordinates(x), list(map(int, exponents))]

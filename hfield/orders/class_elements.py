@@ -23,7 +23,7 @@ Located = tuple[int, Row]
 
 
 class ClassElements:
-    """The elements that carry representatives of classes to other ideals, and to themselves: ``units``."""
+    """The elements that map class representatives to other ideals, and to themselves (``units``)."""
 
     def __init__(self, classes: Classes) -> None:
         self.classes, self._ambient = classes, classes.ambient
@@ -82,6 +82,6 @@ class ClassElements:
         return self.located(lattice, self.classes.keys.multiplied(self.classes.norms[n], ideal))
 
     def located(self, lattice: LatticeValue, norm: Norm) -> Located:
-        """Return the class of a right ideal of this norm, and γ."""
+        """Return the class of a right ideal of this norm, and the element γ."""
         around = SublatticeKeys(self.classes.keys, lattice.matrix, lattice.den, norm)
         return self._locate(around, around.reduced(self._ambient.identity))

@@ -1,8 +1,8 @@
 """A file of classes and rows of neighbours, from which an interrupted run resumes.
 
 The first JSON line describes the order. Each further line has a block of rows and the new classes in them,
-with a digest of itself and of the order. Damaged or edited lines, and lines of other orders, are rejected. A
-digest does not protect against forgery; a certificate of the class set proves the classes independently.
+with a digest of the line and of the order. Damaged or edited lines, and lines of other orders, are rejected.
+A digest does not protect against forgery; a certificate of the class set proves the classes independently.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class ClassFile:
     def read(self, classes: Classes) -> None:
         """Add the classes and rows of the file, or begin a new file.
 
-        Raises :class:`LatticeError` for a file of another order, or another kind, or one that is damaged.
+        Raises :class:`LatticeError` for a file of another order or of another kind, or a damaged file.
         """
         try:
             lines = self._journal.read()
@@ -76,9 +76,9 @@ class ClassFile:
         rows: Sequence[Mapping[int, int]],
         new: Sequence[tuple[int, int | None, PackedClass]],
     ) -> None:
-        """Append the rows of a prime, from row ``first`` on, and the new classes in them.
+        """Append the rows of a prime, from row ``first``, and the new classes in them.
 
-        Each new class comes with its number, and with the number of the class exchanged with it.
+        Each new class comes with its number and the number of the class that is exchanged with it.
         """
         line = {
             "prime": base.ideal_text(base.prime_ideal(prime)),

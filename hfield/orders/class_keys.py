@@ -1,15 +1,15 @@
 """Keys of right ideal classes: lattices x⁻¹·I for short elements x of a right ideal I.
 
 An ideal I has the norm ν·a, with ν totally positive and a one of the ideals that represent the narrow classes
-of the base. The lattice x⁻¹·I lies in the class of I for every x in I, and contains the order: it is compared
-by its Hermite form in coordinates of the order. A lookup takes the shortest x of a reduced basis, and needs
-no proof that x is short: if x⁻¹·I is a lattice of a known class, I is in that class.
+of the base. For every x in I the lattice x⁻¹·I lies in the class of I and contains the order. Such lattices
+are compared by their Hermite forms in coordinates of the order. A lookup takes the shortest x of a reduced
+basis; it need not be proved shortest, since I is in the class of x⁻¹·I in any case.
 
 Only if the lattice is not known, all x of least Tr(u·N(x)/ν) are enumerated, where u runs over the totally
-positive units modulo squares. Passing from I to c·I multiplies these x by c, up to units of the base. Only
-those x are kept for which the coordinates of u·N(x)/ν are least. So the set of the lattices x⁻¹·I depends
-only on the class of I. Each of these lattices comes from as many x as the left order has units modulo those
-of the base. The least of their keys represents the class.
+positive units modulo squares. Passing from I to c·I multiplies these x by c, up to units of the base. Of
+these, only the x with least coordinates of u·N(x)/ν are kept. So the set of the lattices x⁻¹·I depends only
+on the class of I. Each of these lattices arises from as many x as the left order has units modulo those of
+the base. The least of their keys represents the class.
 """
 
 from __future__ import annotations
@@ -36,14 +36,14 @@ MAX_QUOTIENTS = 12
 
 @dataclass(frozen=True)
 class Norm:
-    """The norm of an ideal, ν·a: the number of the narrow class of a, and ν."""
+    """The norm ν·a of an ideal: the index of the narrow class of a, and ν."""
 
     number: int
     element: BaseNumber
 
 
 class ClassKeys:
-    """The common data of the keys of right ideals of one order."""
+    """The data shared by the keys of all right ideals of one order."""
 
     def __init__(self, order: LatticeValue) -> None:
         self.order, self.ambient = order, order.ambient
@@ -69,7 +69,8 @@ class ClassKeys:
     def quotient(self, rows: fmpz_mat, x: ShortElement) -> Key:
         """Return x⁻¹·I in Hermite form in coordinates of the order, for rows that span I.
 
-        The key has the denominator d, and the rows whose pivots are not d: the others are d times a unit row.
+        The key consists of the denominator d and the rows whose pivots are not d; the other rows are d times
+        a unit row.
         """
         row, times, below = x.inverse_over
         matrix = combined(self._left, row)
@@ -86,7 +87,7 @@ class ClassKeys:
         return (d, *map(integer, kept))
 
     def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
-        """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""
+        """Return a basis of x⁻¹·I as rows over a denominator, given a basis of I."""
         ambient = self.ambient
         row, times, below = x.inverse_over
         fraction = ambient.domain.fraction(times, below * x.den * ambient.scale)
@@ -114,7 +115,9 @@ class ShortElement:
 
     @cached_property
     def inverse_over(self) -> tuple[list[Integer], Integer, Integer]:
-        """An integer row, and two numbers: the inverse is the row times the first over the second."""
+        """Return an integer row and two numbers: the inverse is the row times the first number over the
+        second.
+        """
         ambient = self._ambient
         # x⁻¹ = conj(x)/N(x)
         number, below = ambient.inverse_number(self.scaled_norm)
@@ -124,7 +127,7 @@ class ShortElement:
 
     @property
     def inverse(self) -> tuple[list[fmpz], int]:
-        """The inverse, an integer row over a denominator."""
+        """The inverse, as an integer row over a denominator."""
         row, times, below = self.inverse_over
         domain = self._ambient.domain
         found, den = (domain.matrix([row]) * domain.fraction(times, below)).numer_denom()
@@ -152,7 +155,7 @@ class Representative(NamedTuple):
 
 
 class SublatticeKeys:
-    """Keys of sublattices of one norm in a lattice, which are given by coordinates in its rows."""
+    """Keys of sublattices of one norm in a lattice; sublattices are given in coordinates of its rows."""
 
     def __init__(self, keys: ClassKeys, rows: fmpz_mat, den: int, norm: Norm) -> None:
         self.keys, self.rows, self.den, self.norm = keys, rows, den, norm
@@ -174,7 +177,7 @@ class SublatticeKeys:
         return Reduced(gram, coordinates, coordinates * self.rows)
 
     def element(self, coordinates: list[Integer]) -> ShortElement:
-        """Return the element with some coordinates."""
+        """Return the element with given coordinates."""
         row = self._ambient.domain.matrix(1, self._ambient.size, coordinates)
         column = row.transpose()
         norm = [(row * gram * column)[0, 0] for gram in self._grams]
@@ -202,7 +205,7 @@ class SublatticeKeys:
         return self.element([basis.coordinates[k, m] for m in range(size)])
 
     def representative(self, basis: Reduced) -> Representative:
-        """Return the lattice that represents the class of a sublattice, by all its shortest elements."""
+        """Return the representative of the class of a sublattice, from all its shortest elements."""
         elements = self._chosen(self._all_shortest(basis))
         quotients: dict[Key, tuple[ShortElement, int]] = {}
         for x in elements:
@@ -232,10 +235,10 @@ class SublatticeKeys:
         return found
 
     def _chosen(self, found: list[tuple[int, list[int]]]) -> list[ShortElement]:
-        """Return some of the elements, by a choice that is the same for every ideal c·I in the class.
+        """Return a subset of the elements, chosen in the same way for every ideal c·I in the class.
 
-        Elements with the least coordinates of u·N(x)/ν are chosen. If more than MAX_QUOTIENTS are left, those
-        are chosen whose sorted absolute inner products with the others are least.
+        The elements with the least coordinates of u·N(x)/ν are chosen. If more than MAX_QUOTIENTS remain,
+        those are chosen whose sorted absolute inner products with the others are least.
         """
         elements = [self.element(vector) for _, vector in found]
         base, units = self._ambient.base, self.keys.units

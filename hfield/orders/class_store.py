@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class ClassRecord(NamedTuple):
-    """The lattice that represents a class: a reduced basis, rows over a denominator, and its norm."""
+    """The representative of a class: a reduced basis as rows over a denominator, and its norm."""
 
     rows: fmpz_mat
     den: int
@@ -38,7 +38,7 @@ class PackedClass(NamedTuple):
 
 
 class ClassStore:
-    """Records of classes by their numbers, units of left orders, and the number of each key."""
+    """Class records by number, units of left orders, and the class number for each key."""
 
     def __init__(self, ambient: AlgebraBasis) -> None:
         self._ambient = ambient
@@ -106,7 +106,7 @@ def pack_key(ambient: AlgebraBasis, key: Key) -> bytes:
 
 
 def unpack_record(ambient: AlgebraBasis, data: bytes) -> ClassRecord:
-    """Return the lattice of a class that :func:`pack_class` was given."""
+    """Return the lattice of a class packed by :func:`pack_class`."""
     domain, n, size = ambient.domain, ambient.degree, ambient.size
     number, *codes = unpack(data)
     below, *numbers = map(domain.decode, codes)

@@ -2,14 +2,15 @@
 
 Classes are looked up by keys, which are lattices in the class (:mod:`hfield.orders.class_keys`), and not
 compared in pairs. The enumeration starts from O and adds neighbours at primes until the masses of the classes
-found sum to the mass of the order. Then no class is missing (M. Kirschmer and J. Voight, *SIAM J. Comput.*
-39, 2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). If the norms of local units are not all
-local units of the base, or if there are several narrow classes, neighbours at one prime do not reach all
-classes.
+found add up to the mass of the order. Then no class is missing (M. Kirschmer and J. Voight, *SIAM J. Comput.*
+39, 2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). Neighbours at one prime do not reach all
+classes if there are several narrow classes, or if not every local unit of the base is the norm of a local
+unit.
 
-In large sets the class of I·J, for a two-sided prime ideal J, is found together with that of I. The product
-with J permutes the classes, and this permutation turns the rows of neighbours of I into those of I·J. So half
-as many neighbours are looked up. Rows of Brandt matrices are stored by primes, and later calls continue them.
+In large sets the class of I·J, for a two-sided prime ideal J, is found together with the class of I. The
+product with J permutes the classes, and this permutation turns the rows of neighbours of I into those of I·J.
+So only half of the neighbours are looked up. Rows of Brandt matrices are stored by prime, and later calls
+continue them.
 """
 
 from __future__ import annotations
@@ -69,8 +70,8 @@ MAX_LISTED_NEIGHBOURS = 20_000_000
 class Classes:
     """The classes as values: lattices, norms, units of left orders, and neighbours.
 
-    Neighbours are computed here, or by an executor. A file keeps what was found for a run that is
-    interrupted.
+    Neighbours are computed here or by an executor. A file stores the results, so that an interrupted run can
+    resume.
     """
 
     def __init__(
@@ -114,7 +115,7 @@ class Classes:
                 report(whole - int(self._left.p) / int(self._left.q), whole, "the classes")
 
     def _find_exchange_prime(self) -> Prime | None:
-        """Return a prime with a two-sided ideal of that norm, for an exchange that is an involution."""
+        """Return a prime whose two-sided ideal, of this norm, acts as an involution on the classes."""
         base = self.ambient.base
         if self.mass < MIN_EXCHANGED_MASS or base.class_generators:
             return None
@@ -126,12 +127,12 @@ class Classes:
 
     @property
     def units(self) -> Sequence[int]:
-        """[O_L(I)ˣ : Rˣ], class by class; R are the integers of the base."""
+        """The index [O_L(I)ˣ : Rˣ] for each class, where R is the ring of integers of the base."""
         return self.store.units
 
     @property
     def norms(self) -> Sequence[Norm]:
-        """The norms of the lattices that represent the classes."""
+        """The norms of the representatives of the classes."""
         return Norms(self.store)
 
     def lattice(self, n: int) -> LatticeValue:
@@ -150,16 +151,16 @@ class Classes:
         return self._look_up(around, around.reduced(self.ambient.identity))
 
     def _look_up(self, around: SublatticeKeys, basis: Reduced) -> int:
-        """Return the number of the class of a sublattice, which may be new."""
+        """Return the class number of a sublattice; the class may be new."""
         return self.number_of(
             pack_key(self.ambient, around.key(basis)),
             lambda _: found_class(self.keys, around, basis, self.exchange_prime),
         )
 
     def number_of(self, key: bytes, found: Callable[[bytes], Iterable[PackedClass]]) -> int:
-        """Return the number of the class of a key, of a class that may be new.
+        """Return the class number of a key; the class may be new.
 
-        What is found for a key is its class, then the one that is exchanged with it, where there is a prime.
+        ``found`` yields the class of the key, then the class exchanged with it, if an exchange prime is used.
         """
         number = self.store.number(key)
         if number is None:
@@ -184,7 +185,7 @@ class Classes:
         return self.store.add(found)
 
     def _set_exchanged(self, n: int, m: int) -> None:
-        """Note that two classes are exchanged."""
+        """Record that two classes are exchanged."""
         moved = self._exchanged[self.exchange_prime]
         moved += [-1] * (len(self) - len(moved))
         moved[n], moved[m] = m, n
@@ -192,7 +193,7 @@ class Classes:
     # --- neighbours --------------------------------------------------------------------------------
 
     def _expect_few_neighbours(self, rows: int, prime: Prime) -> None:
-        """Raise :class:`TooLargeError` before a list of neighbours that is too long is begun."""
+        """Raise :class:`TooLargeError` before starting a list of neighbours that is too long."""
         base = self.ambient.base
         one = base.absolute_norm(base.prime_ideal(prime)) + 1
         for count, most in ((one, MAX_NEIGHBOURS), (rows * one, MAX_LISTED_NEIGHBOURS)):
@@ -205,9 +206,9 @@ class Classes:
     def _more_rows(
         self, prime: Prime, executor: Executor | None, wanted: Callable[[], bool]
     ) -> Iterator[int]:
-        """Add rows of neighbours while they are wanted and not all known; yield how many are known.
+        """Add rows of neighbours while they are wanted and incomplete; yield the number of known rows.
 
-        A loop that is interrupted is continued.
+        An interrupted loop is continued.
         """
         rows = self._rows.setdefault(prime, SparseRows())
         if executor is None and self._file is None:
@@ -222,7 +223,7 @@ class Classes:
             yield done
 
     def _save(self, file: ClassFile, prime: Prime) -> None:
-        """Write the rows of a prime, and the classes, that are not in the file yet."""
+        """Write those rows of a prime, and those classes, that are not in the file yet."""
         rows, first = self._rows[prime], self._saved.get(prime, 0)
         numbers = range(len(self) - len(self._new), len(self))
         new = list(zip(numbers, map(self._exchange_of, numbers), self._new, strict=True))
@@ -231,18 +232,18 @@ class Classes:
         self._saved[prime] = len(rows)
 
     def _exchange_of(self, n: int) -> int | None:
-        """Return the class that is exchanged with class n, where there is a prime for that."""
+        """Return the class exchanged with class n, if an exchange prime is used."""
         return None if self.exchange_prime is None else self._exchanged[self.exchange_prime][n]
 
     def has_own_row(self, n: int, prime: Prime) -> bool:
-        """Return whether the row of class n is computed itself, and not derived from an earlier row."""
+        """Return whether the row of class n is computed directly, rather than from an earlier row."""
         other = self._exchange_of(n)
         return other is None or other >= n or prime == self.exchange_prime
 
     def exchanged_row(self, n: int, prime: Prime) -> Counter[int] | None:
-        """Return the row of class n from that of the class exchanged with it, or None if it is not before n.
+        """Return the row of class n from that of its exchange partner, or None if the partner comes after n.
 
-        Off its prime the exchange commutes with the Brandt matrix.
+        The exchange commutes with the Brandt matrices of other primes.
         """
         if self.has_own_row(n, prime):
             return None
@@ -250,7 +251,7 @@ class Classes:
         return Counter({moved[j]: times for j, times in self._rows[prime][moved[n]].items()})
 
     def restore_class(self, number: int, exchanged: int | None, found: PackedClass) -> None:
-        """Add a class of a file, if it is not known yet. Raises ValueError if it is out of sequence."""
+        """Add a class from a file, unless it is known. Raises ValueError if it is out of sequence."""
         if number < len(self):  # it was written twice, about an interrupt
             return
         if number > len(self) or self.store.number(found.keys[0]) is not None:
@@ -279,9 +280,10 @@ class Classes:
         self._saved[prime] = len(found)
 
     def neighbours(self, prime: Prime, executor: Executor | None = None) -> SparseRows:
-        """Return for each class how many right ideals of relative norm P in it belong to which class.
+        """Return, for each class, the right ideals of relative norm P inside its representative, counted by
+        their classes.
 
-        Raises :class:`TooLargeError` where there are too many.
+        Raises :class:`TooLargeError` if there are too many.
         """
         rows = self._rows.get(prime, SparseRows())
         if len(rows) < len(self):
@@ -295,7 +297,7 @@ class Classes:
         return len(self._rows.get(prime, ())) == len(self)
 
     def neighbours_of(self, n: int, prime: Prime) -> Counter[int]:
-        """Return how many ideals of relative norm P in class n belong to which class."""
+        """Return the numbers of ideals of relative norm P inside class n, by class."""
         self._expect_few_neighbours(1, prime)
         return Counter(self.classes_inside(n, prime))
 
@@ -308,7 +310,9 @@ class Classes:
         return neighbours_inside(self.keys, self.store[n], prime)
 
     def class_keys(self, n: int) -> SublatticeKeys:
-        """Return the keys of sublattices of class n of its norm: of the lattice itself."""
+        """Return the keys for sublattices of class n with the norm of class n, that is, for the lattice
+        itself.
+        """
         record = self.store[n]
         return SublatticeKeys(self.keys, record.rows, record.den, record.norm)
 
@@ -317,7 +321,9 @@ class Classes:
         return neighbours_at(self.order, prime)
 
     def local_norm(self, n: int, prime: Prime) -> BaseNumber:
-        """Return N(x)/ν for an x that generates class n, of norm ν·a, at the primes above that below P."""
+        """Return N(x)/ν, where x generates a lattice of class n at the primes above the prime number below P,
+        and the lattice has norm ν·a.
+        """
         norm, base = self.norms[n], self.ambient.base
         x = generator_above(self.class_keys(n), base.place(prime).below, norm)
         return (base.field.one if x is None else x.norm) / norm.element
@@ -325,7 +331,7 @@ class Classes:
     # --- permutations ------------------------------------------------------------------------------
 
     def moved(self, by: Callable[[LatticeValue], LatticeValue], norm: BaseIdeal) -> list[int]:
-        """Return which class each becomes when a change of lattices multiplies norms by an ideal."""
+        """Return the class that each class becomes when a change of lattices multiplies norms by an ideal."""
         return [self._moved(n, by, norm) for n in range(len(self))]
 
     def _moved(self, n: int, by: Callable[[LatticeValue], LatticeValue], norm: BaseIdeal) -> int:
@@ -339,13 +345,13 @@ class Classes:
 
     @cached_property
     def central(self) -> list[list[int]]:
-        """Which class each becomes by ideals of the base that generate its class group."""
+        """The permutations of the classes by ideals that generate the class group of the base."""
         return [self.multiplied(a) for a in self.ambient.base.class_generators]
 
     def exchanged(self, prime: Prime) -> list[int]:
-        """Return which class each becomes by the two-sided prime ideal at a prime.
+        """Return the class that each class becomes by the two-sided prime ideal at a prime.
 
-        Raises :class:`LatticeError` where the order is neither maximal nor Eichler there.
+        Raises :class:`LatticeError` if the order is neither maximal nor Eichler there.
         """
         if prime not in self._exchanged:
             ideal = two_sided_prime(self.order, prime)
@@ -365,11 +371,11 @@ class Classes:
 
     @cached_property
     def types(self) -> list[int]:
-        """The number of the type of each class: which left orders are isomorphic.
+        """The type of each class, as a number: classes with isomorphic left orders have the same type.
 
-        They are the orbits of the invertible two-sided ideals on the classes (Voight, section 18.5): those of
-        the base and, for maximal and Eichler orders, one at each prime of the discriminant. Left orders of
-        other orders are compared.
+        Types are the orbits of the invertible two-sided ideals on the classes (Voight, section 18.5). These
+        ideals are those of the base and, for maximal and Eichler orders, one at each prime of the
+        discriminant. For other orders the left orders are compared.
         """
         base = self.ambient.base
         if is_eichler(self.order):
@@ -379,7 +385,7 @@ class Classes:
 
 
 def types_by_isomorphism(classes: Classes) -> list[int]:
-    """Return the number of the type of each class, of any order, found by comparing left orders in pairs."""
+    """Return the type of each class, for any order, by comparing left orders in pairs."""
     kinds = orbits(len(classes), classes.central)
     firsts: dict[int, tuple[int, LatticeValue]] = {}  # a type: units and left order of a class
     names: dict[int, int] = {}
@@ -400,7 +406,7 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
 
 
 def orbits(size: int, moves: list[list[int]]) -> list[int]:
-    """Return the number of the orbit of each of 0, …, size − 1 under permutations.
+    """Return the orbit number of each of 0, …, size − 1 under permutations.
 
     Orbits are numbered in the order of their first elements.
     """

@@ -1,7 +1,8 @@
-"""The principal ideal domains over which lattices are matrices: ℤ, and polynomials over a finite field.
+"""The principal ideal domains over which lattices are matrices: ℤ, and 𝔽_q[t].
 
-A lattice over ℤ or ℤ_K is a matrix over ℤ; one over 𝔽_q[t] is a matrix over 𝔽_q[t]. This module has all that
-differs between the two: matrices, fractions, linear algebra modulo a prime, and short vectors.
+A lattice over ℤ or ℤ_K is a matrix over ℤ; a lattice over 𝔽_q[t] is a matrix over 𝔽_q[t]. This module
+contains everything that differs between the two: matrices, fractions, linear algebra modulo a prime, and
+short vectors.
 """
 
 from __future__ import annotations
@@ -45,27 +46,27 @@ DegreeAndLabels: TypeAlias = tuple[int, tuple[int, ...]]
 
 
 class VectorsOfForms(Protocol):
-    """Functions on the vectors of bounded length in a form that is definite, or anisotropic at infinity."""
+    """Functions on the vectors of bounded length for a form that is definite, or anisotropic at infinity."""
 
     def least_vectors(self, form: Form, /) -> tuple[int, Sequence[Sequence[Integer]]]:
-        """Return the least length of a vector, and those that have it up to sign."""
+        """Return the least length of a nonzero vector, and the vectors of this length up to sign."""
 
     def short_vectors(
         self, form: Form, bound: int, /
     ) -> Iterator[tuple[Sequence[Integer], Integer]]:
-        """Yield one of ±x for every x ≠ 0 of at most a length, and its value."""
+        """Yield one of ±x for every x ≠ 0 of bounded length, with its value."""
 
     def vectors_of_length(
         self, form: Form, value: Integer, expected: str | None = ..., /
     ) -> Iterator[Sequence[Integer]]:
-        """Yield one of ±x for every x with a value."""
+        """Yield one of ±x for every x with a given value."""
 
     def volume(self, form: Form, value: Integer, rank: int, /) -> float:
-        """Return about how many vectors there are up to a value."""
+        """Return the approximate number of vectors up to a value."""
 
 
 class EuclideanDomain(Protocol):
-    """A Euclidean domain, with matrices over it that have the methods of flint's."""
+    """A Euclidean domain, with matrices that have the same methods as those of flint."""
 
     symbol: str
     """How the ring is written."""
@@ -76,27 +77,27 @@ class EuclideanDomain(Protocol):
 
     @overload
     def matrix(self, rows: IntegerRows, /) -> IntegerMatrix:
-        """Return a matrix of rows, as ``fmpz_mat`` does."""
+        """Return the matrix with given rows, as ``fmpz_mat`` does."""
 
     @overload
     def matrix(self, m: int, n: int, entries: Sequence[Integer] = ..., /) -> IntegerMatrix:
-        """Return a matrix of a shape and entries, which are 0 where none are given."""
+        """Return the matrix with a given shape and entries (0 by default)."""
 
     @overload
     def fraction_matrix(self, rows: RationalRows, /) -> RationalMatrix:
-        """Return a matrix of fractions, as ``fmpq_mat`` does."""
+        """Return a matrix of fractions with given rows, as ``fmpq_mat`` does."""
 
     @overload
     def fraction_matrix(
         self, m: int, n: int, entries: Sequence[Rational | Integer], /
     ) -> RationalMatrix:
-        """Return a matrix of a shape and entries."""
+        """Return a matrix of fractions with a given shape and entries."""
 
     def fraction(self, x: Rational | Integer, den: Integer = ..., /) -> Rational:
-        """Return a fraction of a numerator and a denominator, as ``fmpq`` does."""
+        """Return the fraction with a given numerator and denominator, as ``fmpq`` does."""
 
     def integer(self, x: Integer, /) -> Integer:
-        """Return a number in the form that denominators have: an int over ℤ."""
+        """Return a number in the type used for denominators: an int over ℤ."""
 
     def modular(self, rows: IntegerRows, p: Integer, /) -> ModularMatrix:
         """Return a matrix modulo a prime, as ``nmod_mat`` does."""
@@ -115,25 +116,25 @@ class EuclideanDomain(Protocol):
         """Return the greatest common divisor of a list."""
 
     def quadratic(self, traces: list[IntegerMatrix], norms: list[Rational]) -> list[IntegerMatrix]:
-        """Return matrices F with ``x·F·x`` = form_factor·N(x), by matrices of tr(x·conj(y)) and norms."""
+        """Return matrices F with ``x·F·x`` = form_factor·N(x), given matrices of tr(x·conj(y)) and norms."""
 
     def common_divisor(self, x: Integer, numbers: Sequence[Integer]) -> Integer:
         """Return the greatest common divisor of a number and a list."""
 
     def polar(self, form: IntegerMatrix) -> IntegerMatrix:
-        """Return the matrix of the symmetric bilinear form of a quadratic form that a matrix gives."""
+        """Return the matrix of the symmetric bilinear form of a quadratic form given by a matrix."""
 
     def divided(self, matrix: IntegerMatrix, n: Integer) -> IntegerMatrix:
         """Return a matrix divided by a number that divides all entries."""
 
     def lowest_terms(self, den: Integer, matrix: IntegerMatrix) -> tuple[Integer, IntegerMatrix]:
-        """Return a triangular matrix over a denominator as one over the least denominator."""
+        """Return a triangular matrix over a denominator, reduced to the least denominator."""
 
     def length(self, value: Rational | Integer) -> fmpq | int:
-        """Return by what values of a definite form are compared."""
+        """Return the key by which values of a definite form are compared."""
 
     def reduced(self, form: IntegerMatrix) -> tuple[IntegerMatrix, IntegerMatrix]:
-        """Return a definite form on a reduced basis, and the basis, one vector a row."""
+        """Return a definite form on a reduced basis, and the basis, one vector per row."""
 
     def denominator(self, x: Rational) -> Integer:
         """Return the denominator of a fraction."""
@@ -151,22 +152,22 @@ class EuclideanDomain(Protocol):
         """Return the least representative of a class modulo p."""
 
     def remove(self, x: Integer, p: Integer) -> tuple[int, Integer]:
-        """Return the exponent of a prime in a number that is not 0, and the number without it."""
+        """Return the exponent of a prime in a nonzero number, and the cofactor."""
 
     def random(self, rng: random.Random, modulus: Integer) -> Integer:
         """Return a random residue."""
 
     def few_residues(self, p: Integer) -> Iterable[Integer]:
-        """Return up to three residues modulo p, 0 and 1 first."""
+        """Return up to three residues modulo p, beginning with 0 and 1."""
 
     def small(self, size: int) -> Iterator[Integer]:
-        """Yield numbers of a size; together the sizes 0, 1, 2, … give all numbers."""
+        """Yield numbers of a given size; the sizes 0, 1, 2, … together give all numbers."""
 
     def sort_key(self, numbers: tuple[Integer, ...]) -> SupportsRichComparison:
-        """Return what numbers of a tuple are sorted by."""
+        """Return the key by which tuples of numbers are sorted."""
 
     def pickled(self, x: Integer) -> int | tuple[int, ...]:
-        """Return a number as plain data, which :attr:`integer` reads."""
+        """Return a number as plain data that :attr:`integer` reads."""
 
     def code(self, x: Integer, /) -> int:
         """Return an integer that encodes a number, for packed storage."""
@@ -176,7 +177,7 @@ class EuclideanDomain(Protocol):
 
 
 class IntegerDomain:
-    """The integers ℤ, with flint's matrices."""
+    """The ring ℤ, with flint's matrices."""
 
     symbol = "ℤ"
     latex = r"\mathbb{Z}"
@@ -193,15 +194,15 @@ class IntegerDomain:
     lcm = staticmethod(math.lcm)
 
     def as_fraction(self, x: fmpq | Fraction | int) -> fmpq:
-        """Return a rational number as flint's."""
+        """Return a rational number as a flint rational."""
         return fmpq(x.numerator, x.denominator)
 
     def content(self, numbers: Sequence[int | fmpz]) -> fmpz:
-        """Return the gcd of a list, as flint has it."""
+        """Return the gcd of a list, as a flint integer."""
         return fmpz_poly(numbers).content()
 
     def common_divisor(self, x: int, numbers: Sequence[int | fmpz]) -> fmpz:
-        """Return the gcd, which is soon 1."""
+        """Return the gcd, stopping as soon as it is 1."""
         found = fmpz(x)
         for n in numbers:
             if found == 1:
@@ -262,7 +263,7 @@ class IntegerDomain:
         return value
 
     def reduced(self, form: fmpz_mat) -> tuple[fmpz_mat, fmpz_mat]:
-        """Return a definite form on a basis reduced by LLL, and the basis, one vector a row."""
+        """Return a definite form on an LLL-reduced basis, and the basis, one vector per row."""
         found: tuple[fmpz_mat, fmpz_mat] = form.lll(transform=True, rep="gram")
         return found
 
@@ -291,7 +292,7 @@ INTEGERS = IntegerDomain()
 
 
 class PolynomialDomain:
-    """The polynomials over GF(q); ``field`` has their fractions, of flint's ``fq_default_poly``."""
+    """The polynomials over GF(q), as flint's ``fq_default_poly``; ``field`` contains their fractions."""
 
     form_factor = 1
 
@@ -304,7 +305,7 @@ class PolynomialDomain:
         self.vectors = PolynomialVectors(self)
 
     def integer(self, x: int | tuple[int, ...] | fq_default_poly) -> fq_default_poly:
-        """Return an int, a tuple as :meth:`pickled` makes it, or a polynomial as a polynomial."""
+        """Return a polynomial from an int, a tuple that :meth:`pickled` returned, or a polynomial."""
         if isinstance(x, int):
             return self.one * x
         if isinstance(x, tuple):
@@ -370,7 +371,7 @@ class PolynomialDomain:
         return num if den is None else num / self.as_fraction(den)
 
     def as_fraction(self, x: Rational | Integer) -> RationalFunction:
-        """Return a number, a polynomial or an element of the field as one of the field."""
+        """Return a number, a polynomial or an element of the field as an element of the field."""
         if isinstance(x, int):
             return self.field(x)
         if isinstance(x, RationalFunction):
@@ -394,7 +395,7 @@ class PolynomialDomain:
         return self.monic(found)
 
     def monic(self, x: fq_default_poly) -> fq_default_poly:
-        """Return x over its leading coefficient."""
+        """Return x divided by its leading coefficient."""
         return x.monic() if x else x
 
     def content(self, numbers: Iterable[fq_default_poly]) -> fq_default_poly:
@@ -415,7 +416,9 @@ class PolynomialDomain:
     def quadratic(
         self, traces: list[PolynomialMatrix], norms: list[RationalFunction]
     ) -> list[PolynomialMatrix]:
-        """Return a matrix with the norms on the diagonal, and traces above it; constants are integral."""
+        """Return a matrix with the norms on the diagonal and traces above it; the constants must be
+        integral.
+        """
         (table,), size = traces, len(norms)
         entries = [
             self.as_fraction(norms[m]).num if m == n else table[m, n] if m < n else self.zero
@@ -467,7 +470,7 @@ class PolynomialDomain:
         return self.integer(x).inverse_mod(p)
 
     def small_residue(self, x: fq_default_poly, p: fq_default_poly) -> fq_default_poly:
-        """Return the rest modulo p."""
+        """Return the remainder modulo p."""
         return x % p
 
     def remove(self, x: Integer, p: fq_default_poly) -> tuple[int, fq_default_poly]:
@@ -494,22 +497,22 @@ class PolynomialDomain:
         ]
 
     def small(self, size: int) -> Iterator[fq_default_poly]:
-        """Yield 2·size + 1 polynomials, the first ones by degrees and labels of coefficients."""
+        """Yield 2·size + 1 polynomials, the first ones by degree and then by labels of coefficients."""
         return map(self.decode, range(2 * size + 1))
 
     def of_degree_below(self, bound: int) -> Iterator[fq_default_poly]:
-        """Yield the polynomials of a degree below a bound."""
+        """Yield the polynomials of degree below a bound."""
         return map(self.decode, range(self.constants.order**bound))
 
     def code(self, x: fq_default_poly) -> int:
-        """Return the number whose digits are the labels of the coefficients."""
+        """Return the integer whose digits are the labels of the coefficients."""
         found = 0
         for label in reversed(self.pickled(x)):
             found = found * self.constants.order + label
         return int(found)
 
     def decode(self, n: int) -> fq_default_poly:
-        """Return the polynomial with labels of coefficients that are the digits of a number."""
+        """Return the polynomial whose coefficients have the digits of an integer as labels."""
         labels = []
         while n:
             n, c = divmod(n, self.constants.order)

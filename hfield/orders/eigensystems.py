@@ -1,18 +1,19 @@
 """Systems of eigenvalues of Hecke operators on cusp forms, split over ℚ into Galois orbits of newforms.
 
-The functions on the right ideal classes of an Eichler order that are invariant under the ideals of K are the
-modular forms of its level that are new at the primes of the algebra. In weight 2 the functions of the norm
-alone are no cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and
-J. Voight, "Explicit methods for Hilbert modular forms", 2013).
+Consider the functions on the right ideal classes of an Eichler order that are invariant under the ideals of
+K. They are the modular forms of its level that are new at the primes of the algebra. In weight 2 the
+functions that factor through the norm are not cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J.
+Voight, 2010; L. Dembélé and J. Voight, "Explicit methods for Hilbert modular forms", 2013).
 
 A newform of level m has one copy in level N for each divisor of N/m, with the same eigenvalues at primes that
-do not divide N. So the characteristic polynomial of a Hecke operator on the new subspace of level N is that
-on all functions, divided by those of the copies from proper divisors of N. It is computed modulo primes of
-62 bits. Deligne's bound of the eigenvalues bounds its coefficients, so finitely many primes prove it.
+do not divide N. So the characteristic polynomial of a Hecke operator on the new subspace of level N is the
+polynomial on all functions divided by those of the copies from proper divisors of N. It is computed modulo
+primes of 62 bits. Deligne's bound for the eigenvalues gives a bound for its coefficients, so finitely many
+primes prove it.
 
-Let T be a combination of Hecke operators whose polynomial on the new subspace has no multiple root, and none
-in common with those of lower levels. Such a T exists by multiplicity one. Then each irreducible factor g of
-degree d is a Galois orbit of d newforms, with eigenvalues in ℚ[x]/(g).
+Let T be a combination of Hecke operators whose polynomial on the new subspace has no multiple root, and no
+root in common with those of lower levels. Such a T exists by multiplicity one. Then each irreducible factor g
+of degree d is a Galois orbit of d newforms, with eigenvalues in ℚ[x]/(g).
 """
 
 from __future__ import annotations
@@ -47,17 +48,17 @@ LARGEST = 2**62
 
 
 class Combination(NamedTuple):
-    """A sum of Hecke operators at good primes, times small integers."""
+    """A combination of Hecke operators at good primes with small integer coefficients."""
 
     primes: tuple[Prime, ...]
     coefficients: tuple[int, ...]
 
 
 class Module(ABC):
-    """Functions on the classes of an Eichler order, with operators that are matrices modulo primes p.
+    """Functions on the classes of an Eichler order, with operators as matrices modulo primes p.
 
-    An operator acts on columns. A row of it is a dict of its entries that are not 0. ``make`` returns the
-    classes of another level. Raises :class:`LatticeError` for an order that is not Eichler.
+    An operator acts on columns. A row of it is a dict of its nonzero entries. ``make`` returns the classes of
+    another level. Raises :class:`LatticeError` for an order that is not Eichler.
     """
 
     weight: int
@@ -90,7 +91,7 @@ class Module(ABC):
         return found
 
     def shown(self, prime: Prime) -> object:
-        """Return a prime as the base field has it."""
+        """Return a prime as an object of the base field."""
         p = self.base.place(prime).below
         return next(P for P, Q in self.base.primes_above(p) if prime == Q)
 
@@ -103,7 +104,7 @@ class Module(ABC):
         return good_primes(self.classes.order)
 
     def primes_up_to(self, norm: int) -> list[Prime]:
-        """Return all primes of norm up to a bound, ascending by their norms."""
+        """Return all primes of norm up to a bound, in order of norm."""
         return list(takewhile(lambda P: self.absolute_norm(P) <= norm, self.base.primes_by_norm()))
 
     @property
@@ -127,7 +128,7 @@ class Module(ABC):
 
     @abstractmethod
     def of_classes(self, classes: Classes) -> Module:
-        """Return the module of the classes of another level, of the same weight."""
+        """Return the module of the same weight for the classes of another level."""
 
     @abstractmethod
     def suits(self, p: int) -> bool:
@@ -135,14 +136,14 @@ class Module(ABC):
 
     @abstractmethod
     def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
-        """Return the Hecke operator at a good prime on subspaces that all these operators preserve.
+        """Return the Hecke operator at a good prime on subspaces that all good Hecke operators preserve.
 
         Their sum is the space of functions with trivial character.
         """
 
     @abstractmethod
     def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
-        """Return elements of such a subspace as functions, in rows."""
+        """Return elements of such a subspace as functions, one per row."""
 
     @abstractmethod
     def row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
@@ -154,13 +155,13 @@ class Module(ABC):
 
     @abstractmethod
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
-        """Return the characteristic polynomial on functions that depend on the norm alone."""
+        """Return the characteristic polynomial of T on functions that factor through the norm."""
 
     # --- levels that divide this one -----------------------------------------------------------------
 
     @cached_property
     def _lower(self) -> list[tuple[Module, int, int]]:
-        """The modules of lower levels, the multiplicities of their newforms here, and their signs in the
+        """The modules of lower levels, with multiplicities of their newforms here and signs in the
         new part.
         """
         found = []
@@ -183,7 +184,9 @@ class Module(ABC):
 
     @cached_property
     def new_dimension(self) -> int:
-        """The dimension of the newforms: by inclusion and exclusion over the levels that divide this one."""
+        """The dimension of the new subspace, by inclusion and exclusion over the levels that divide
+        this one.
+        """
         rest = sum(sign * module.cusp_dimension for module, _, sign in self._lower)
         return self.cusp_dimension + rest
 
@@ -199,11 +202,11 @@ class Module(ABC):
             yield self._primes[n]
 
     def bound(self, prime: Prime) -> int:
-        """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
+        """Return Deligne's bound for the absolute values of the eigenvalues at a good prime."""
         return math.isqrt(4 * self.absolute_norm(prime) ** (self.weight - 1)) + 1
 
     def radius(self, T: Combination) -> int:
-        """Return the same for a combination."""
+        """Return a bound for the absolute values of the eigenvalues of a combination."""
         return sum(abs(c) * self.bound(P) for P, c in zip(*T, strict=True))
 
     def _combined(self, T: Combination, p: int) -> list[nmod_mat]:
@@ -233,7 +236,7 @@ class Module(ABC):
         return math.prod(factors, start=self.norm_polynomial(T, p))
 
     def _orbit(self, T: Combination, p: int, block: int) -> nmod_mat:
-        """Return the rows v, T·v, T²·v, … for a random v in a block, one for each eigenvalue there."""
+        """Return the rows v, T·v, T²·v, … for a random v in a block, one for each eigenvalue in the block."""
         if (T, p, block) not in self._orbits:
             matrix, rng = self._combined(T, p)[block], random.Random(1)
             size = matrix.nrows()
@@ -246,14 +249,14 @@ class Module(ABC):
         return self._orbits[T, p, block]
 
     def _annihilator(self, T: Combination, p: int, block: int) -> nmod_poly:
-        """Return a polynomial f with f(T) = 0 on a block: T is semisimple, so one with all eigenvalues."""
+        """Return a polynomial f with f(T) = 0 on a block; T is semisimple, so all eigenvalues are roots."""
         whole = self._lower_polynomial(T, p) * self._new_polynomial(T, p)
         return whole.gcd(self._polynomials(T, p)[block])
 
     def eigenvectors(self, T: Combination, g: fmpz_poly, p: int) -> nmod_mat | None:
-        """Return the eigenvector of T for the root x of g, modulo p: column j is a polynomial in x.
+        """Return the eigenvector of T for the root x of g modulo p; column j is a polynomial in x.
 
-        It is None where g has a root in common with other factors modulo p.
+        The result is None if g and another factor have a common root modulo p.
         """
         factor = nmod_poly(g.coeffs(), p)
         rest = _quotient(self._lower_polynomial(T, p) * self._new_polynomial(T, p), factor)
@@ -287,7 +290,7 @@ class Module(ABC):
         )
 
     def _combinations(self) -> Iterator[Combination]:
-        """Yield combinations of more and more Hecke operators."""
+        """Yield combinations of increasingly many Hecke operators."""
         rng, several = random.Random(1), list[Prime]()
         for P in self.good_primes():
             several.append(P)
@@ -300,7 +303,9 @@ class Module(ABC):
                 return
 
     def _separated(self, T: Combination) -> fmpz_poly | None:
-        """Return the polynomial on the new subspace, or None where it does not separate newforms."""
+        """Return the characteristic polynomial of T on the new subspace, or None if T does not separate the
+        newforms.
+        """
         degree = self.new_dimension
         p = next(self.primes())
         found = self._new_polynomial(T, p)
@@ -314,7 +319,7 @@ class Module(ABC):
 
 
 class Traces:
-    """A sort key of Galois orbits: degree, then traces, which differ between orbits."""
+    """A sort key of Galois orbits: the degree, then the traces, which differ between orbits."""
 
     def __init__(self, form: Newform) -> None:
         self.form = form
@@ -337,8 +342,8 @@ def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
 class WithForms(ABC):
     """Methods of class sets of Eichler orders for cusp forms of parallel weight and trivial character.
 
-    Those of the level of the order that are new at the primes of the algebra. The weight is an even number.
-    All raises :class:`LatticeError` for other orders and weights.
+    The forms have the level of the order and are new at the primes of the algebra. The weight is an even
+    number. All methods raise :class:`LatticeError` for other orders and weights.
 
     >>> from hfield import QuaternionAlgebra
     >>> C = QuaternionAlgebra(11).eichler_order(3).class_set(); C.cusp_dimension(), C.new_dimension()
@@ -350,7 +355,7 @@ class WithForms(ABC):
 
     @abstractmethod
     def _functions(self, weight: int) -> Module:
-        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
+        """Return the module of functions on the classes with its Hecke operators, for an even weight."""
 
     def cusp_dimension(self, weight: int = 2) -> int:
         """Return the dimension of the cusp forms.
@@ -368,8 +373,8 @@ class WithForms(ABC):
     def newforms(self, weight: int = 2) -> list[Newform]:
         """Return the Galois orbits of newforms, those with rational eigenvalues first.
 
-        They are ordered by their degrees, then by traces of coefficients. Raises :class:`UndecidedError`
-        where many Hecke operators do not tell them apart.
+        They are ordered by degree, then by the traces of coefficients. Raises :class:`UndecidedError` if many
+        Hecke operators do not separate them.
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs

@@ -1,4 +1,4 @@
-"""Factor an element of an order into a unit and elements of prime norms, in a given order of the primes.
+"""Factor an element of an order into a unit and elements of prime norms, for a given sequence of primes.
 
 A last factor π of norm P generates a left ideal of norm P that contains x. If x is not in P·O and P does not
 divide the discriminant, O·x + P·O is the only such ideal. So the factors of a primitive element are unique up
@@ -52,10 +52,10 @@ class GivenPrime(NamedTuple):
 
 
 def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, list[Quaternion]]:
-    """Return a unit u and factors π₁, …, πₙ whose norms generate the given primes: x = u·π₁⋯πₙ.
+    """Return x = u·π₁⋯πₙ with a unit u and factors whose norms generate the given primes.
 
-    Raises :class:`LatticeError` where x is not in the order, where norms do not match, or where an ideal that
-    an element would generate is not principal, and :class:`UndecidedError`.
+    Raises :class:`LatticeError` if x is not in the order, if norms do not match, or if an ideal that a factor
+    would generate is not principal, and :class:`UndecidedError`.
     """
     algebra, base = order.algebra, order.ambient.base
     element = algebra(x)
@@ -79,7 +79,7 @@ def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, 
 
 
 def _read_prime(order: LatticeValue, p: object) -> GivenPrime:
-    """Read a prime, given as an ideal or as a number that generates it."""
+    """Read a prime given as an ideal or as a generator."""
     base = order.ambient.base
     prime = base.prime(p)
     number = None
@@ -90,7 +90,7 @@ def _read_prime(order: LatticeValue, p: object) -> GivenPrime:
 
 
 class _FactorSearch:
-    """The factors from the last to the first; where several ideals contain an element, all are tried."""
+    """A search for the factors from last to first; if several ideals contain an element, all are tried."""
 
     def __init__(self, order: LatticeValue, primes: Sequence[GivenPrime]) -> None:
         self.order, self.primes = order, primes
@@ -100,7 +100,7 @@ class _FactorSearch:
         self._ideals: dict[Prime, list[LatticeValue]] = {}
 
     def run(self, x: Quaternion) -> tuple[Quaternion, list[Quaternion]]:
-        """Return the unit and the factors. Raises :class:`LatticeError` where there are none."""
+        """Return the unit and the factors. Raises :class:`LatticeError` if there are none."""
         left: list[Quaternion] = [x]
         factors: list[Quaternion] = []
         choices: list[Iterator[Quaternion]] = []
@@ -120,7 +120,7 @@ class _FactorSearch:
         return left[-1], factors[::-1]
 
     def _last_factors(self, x: Quaternion, number: int) -> Iterator[Quaternion]:
-        """Yield the possible last factors of x, of which ``number`` are left to be found."""
+        """Yield the possible last factors of x; ``number`` factors remain to be found."""
         p = self.primes[number - 1]
         for ideal in self._ideals_with(x, p):
             self.tried += 1
@@ -158,7 +158,7 @@ class _FactorSearch:
         yield from self._ideals[p.prime]
 
     def _with_norm(self, pi: Quaternion, p: GivenPrime) -> Quaternion:
-        """Return π times a unit such that its norm is the given number, where units allow it."""
+        """Return π times a unit such that its norm is the given number, if the units allow this."""
         base = self.base
         if p.number is None or not base.is_totally_positive(p.number):
             return pi

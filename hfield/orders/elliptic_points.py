@@ -1,10 +1,10 @@
 """Count the elliptic points of the group of an Eichler order over ℤ_K, by Eichler's embedding numbers.
 
 An elliptic point of order q is fixed by the units of norm 1 of an optimally embedded quadratic order S. The
-order S has 2q roots of unity, and generates L = K(ζ), with ζ of order 2q. At some real place the algebra
-splits and L is complex, so S has equally many embeddings in all orders of the genus. Let C be
-h(L)/(h(K)·Q·w), with Hasse's unit index Q and the number w of roots of unity of L. The number of elliptic
-points of order q is
+order S has 2q roots of unity and generates L = K(ζ), with ζ of order 2q. At some real place the algebra
+splits and L is complex, so S has the same number of embeddings in all orders of the genus. Let C be
+h(L)/(h(K)·Q·w), where Q is Hasse's unit index and w is the number of roots of unity of L. The number of
+elliptic points of order q is
 
     2q·C·Σ_S [Ô_L^×:Ŝ^×]·∏_P m_P(S)
 
@@ -47,7 +47,7 @@ MAX_RESIDUES = 10_000
 def elliptic_points(order: LatticeValue) -> dict[int, int]:
     """Return the number of elliptic points of each order, for an Eichler order.
 
-    The algebra is a division algebra over a totally real field and splits at one real place.
+    The algebra must be a division algebra over a totally real field that splits at exactly one real place.
     """
     base = number_field_integers(order.ambient.base)
     found = [_Rotations(order, base, q, t) for q, t in _traces(base.field)]
@@ -56,7 +56,9 @@ def elliptic_points(order: LatticeValue) -> dict[int, int]:
 
 
 def _traces(field: NumberField) -> Iterator[tuple[int, FieldElement]]:
-    """Yield each q for which the field has the traces of roots of unity of order 2q, with one of them."""
+    """Yield each q such that the field contains a trace of a root of unity of order 2q, with one
+    such trace.
+    """
     yield 2, field.zero
     yield 3, field.one
     n = field.degree
@@ -67,7 +69,7 @@ def _traces(field: NumberField) -> Iterator[tuple[int, FieldElement]]:
 
 
 class _Rotations:
-    """The embeddings of the orders with a root of unity of order 2q, of trace t."""
+    """The embeddings of the orders that contain a root of unity of order 2q and trace t."""
 
     def __init__(
         self, order: LatticeValue, base: NumberFieldIntegers, q: int, t: FieldElement
@@ -81,7 +83,7 @@ class _Rotations:
         self.primes = {P: _LocalField(base, P, self.d) for P in primes}
 
     def count(self, larger: list[_Rotations]) -> int:
-        """Return how many points have this order, and none of the larger ones."""
+        """Return the number of points of exactly this order, excluding those of the larger orders."""
         ranges = [range(v.conductor + 1) for v in self.primes.values()]
         total = Fraction(0)
         for exponents in product(*ranges):
@@ -96,13 +98,13 @@ class _Rotations:
         return int(found)
 
     def _contains(self, conductor: dict[PrimeIdeal, int]) -> bool:
-        """Return whether the root of unity lies in the order of a conductor."""
+        """Return whether the root of unity lies in the order with a given conductor."""
         return all(
             k <= (self.primes[P].conductor if P in self.primes else 0) for P, k in conductor.items()
         )
 
     def _local(self, P: PrimeIdeal, k: int) -> Fraction:
-        """Return the index of local units times the number of embeddings, for a conductor Pᵏ."""
+        """Return the index of local units times the number of local embeddings, for a conductor Pᵏ."""
         local = self.primes[P]
         index = P.norm() ** k * (1 - Fraction(local.symbol, P.norm())) if k else Fraction(1)
         if P in self.ambient.ramified:
@@ -114,9 +116,9 @@ class _Rotations:
 
 
 class _LocalField:
-    """K_P(√d): ``symbol`` is 1, −1 or 0 where P splits, is inert or ramifies.
+    """The local algebra K_P(√d); ``symbol`` is 1, −1 or 0 if P splits, is inert or ramifies.
 
-    The order of discriminant d has the conductor P to the power ``conductor``.
+    The order of discriminant d has the conductor P^``conductor``.
     """
 
     def __init__(self, base: NumberFieldIntegers, P: PrimeIdeal, d: FieldElement) -> None:
@@ -141,9 +143,10 @@ class _LocalField:
         return self.base.residues(self.P)
 
     def embeddings(self, k: int, e: int) -> int:
-        """Return how many classes of optimal embeddings Eichler's order of level Pᵉ has, for a conductor Pᵏ.
+        """Return the number of classes of optimal embeddings of conductor Pᵏ in the Eichler order of level
+        Pᵉ.
 
-        They are roots of x² − tx + n modulo Pᵉ (Hijikata; Voight, proposition 30.6.12).
+        They correspond to roots of x² − tx + n modulo Pᵉ (Hijikata; Voight, proposition 30.6.12).
         """
         P = self.P
         if P.norm() > MAX_RESIDUES:
@@ -170,7 +173,7 @@ class _LocalField:
         return len(roots[e]) + len(images)
 
     def _residues(self, count: int) -> Iterator[FieldElement]:
-        """Yield numbers, one of each class modulo P^count."""
+        """Yield one number from each residue class modulo P^count."""
         steps = [self.P.uniformiser**s for s in range(count)]
         for digits in product(self.representatives, repeat=count):
             pairs = zip(digits, steps, strict=True)
@@ -187,10 +190,11 @@ class _LocalField:
 
 
 def relative_class_number(field: NumberField, q: int, d: FieldElement) -> Fraction:
-    """Return h(L)/(h(K)·Q·w) for L = K(√d), which the roots of unity of order 2q generate over K.
+    """Return h(L)/(h(K)·Q·w) for L = K(√d), generated over K by the roots of unity of order 2q.
 
-    Q is the index of the roots of unity and the units of K in the units of L, w the number of roots of unity.
-    Where K is quadratic and L contains the square root of −1 or −3, the imaginary quadratic fields tell.
+    Q is the index, in the units of L, of the group generated by the roots of unity and the units of K; w is
+    the number of roots of unity. If K is quadratic and L contains the square root of −1 or −3, the value
+    follows from imaginary quadratic fields.
     """
     D = field.discriminant()
     for m in (1, 3):
@@ -209,7 +213,7 @@ def relative_class_number(field: NumberField, q: int, d: FieldElement) -> Fracti
 
 
 def _with_roots_of_unity(field: NumberField, m: int) -> NumberField:
-    """Return the field that roots of unity of order m generate over one of half its degree."""
+    """Return the field generated by roots of unity of order m over a field of half its degree."""
     unity = flint.fmpq_poly(flint.fmpz_poly.cyclotomic(m))
     for scale in range(1, 100):
         whole = sums_of_roots(unity, field.polynomial, scale)

@@ -1,8 +1,8 @@
 """Enumerate the vectors of bounded length in a positive definite integral form, exactly (Fincke and Pohst).
 
 Let dᵢ be the leading minors of the Gram matrix (d₀ = 1), and Lᵢ the integral linear forms that are the rows
-of Bareiss' elimination. Then ``Q(x) = Σ Lᵢ(x)²/(dᵢ₋₁·dᵢ)``. When the last coordinates are chosen, the rest of
-the bound is a fraction over dᵢ₋₁. So the search computes with integers only, and rounding loses no vector,
+of Bareiss' elimination. Then ``Q(x) = Σ Lᵢ(x)²/(dᵢ₋₁·dᵢ)``. Once the last coordinates are chosen, the
+remaining bound is a fraction over dᵢ₋₁. So the search uses only integers, and no vector is lost by rounding,
 however long the entries are (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
 """
 
@@ -25,7 +25,7 @@ MIN_FLINT_SIZE = 14
 
 
 def bareiss(gram: Gram) -> tuple[list[int], list[list[int]]]:
-    """Return the leading minors ``[1, d₁, …, dₙ]`` and the rows of the elimination without fractions."""
+    """Return the leading minors ``[1, d₁, …, dₙ]`` and the rows of the fraction-free elimination."""
     rows = [list(row) for row in gram]
     n = len(rows)
     if n >= MIN_FLINT_SIZE:  # pivots of a definite form are not 0, so that flint moves no row
@@ -46,9 +46,9 @@ def bareiss(gram: Gram) -> tuple[list[int], list[list[int]]]:
 def short_vectors(
     gram: Gram, bound: int, expected: str | None = None
 ) -> Iterator[tuple[Vector, int]]:
-    """Yield one of ±x for every x ≠ 0 with ``x·gram·x ≤ bound``, and this value.
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x ≤ bound``, with this value.
 
-    Raises :class:`TooLargeError` for too many where ``expected`` says what the vectors are.
+    Raises :class:`TooLargeError` if there are too many; ``expected`` describes the vectors in the message.
     """
     minors, forms = bareiss(gram)
     n = len(minors) - 1
@@ -70,7 +70,7 @@ def short_vectors(
 
 
 def least_vectors(gram: Gram) -> tuple[int, list[Vector]]:
-    """Return the least value of a form, better reduced, and one of ±x for each x that has it."""
+    """Return the least value of a form, preferably reduced, and one of ±x for each x with this value."""
     least = min(row[n] for n, row in enumerate(gram))
     found: list[Vector] = []
     for x, value in short_vectors(gram, least):
@@ -82,7 +82,7 @@ def least_vectors(gram: Gram) -> tuple[int, list[Vector]]:
 
 
 def vectors_of_length(gram: Gram, length: int, expected: str | None = None) -> Iterator[Vector]:
-    """Yield one of ±x for every x ≠ 0 with ``x·gram·x = length``; the last coordinate is solved for.
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x = length``, solving for the last coordinate.
 
     Raises :class:`TooLargeError` as :func:`short_vectors` does.
     """
@@ -109,10 +109,10 @@ def vectors_of_length(gram: Gram, length: int, expected: str | None = None) -> I
 def _heads(
     minors: list[int], forms: list[list[int]], i: int, left: int, x: list[int], zero: bool
 ) -> Iterator[tuple[bool, int]]:
-    """Choose all coordinates of x but the first; yield whether all are zero, and the rest of the bound.
+    """Choose all coordinates of x but the first; yield whether all are zero, and the remaining bound.
 
-    ``left`` is minors[i] times what is left of the bound, before coordinate i − 1 is chosen. While all chosen
-    ones are zero, only the half line from 0 on is run through.
+    ``left`` is minors[i] times the remaining bound before coordinate i − 1 is chosen. As long as all chosen
+    coordinates are zero, only values ≥ 0 are tried.
     """
     if i == 1:
         yield zero, left
@@ -132,7 +132,9 @@ def _heads(
 
 
 def volume(gram: Gram, bound: int, dimension: int) -> float:
-    """Return about how many integer points the ellipsoid has, or its projection to the last coordinates."""
+    """Return approximately the number of integer points of the ellipsoid, or of its projection to the last
+    coordinates.
+    """
     return _volume(bareiss(gram)[0], bound, dimension)
 
 
@@ -153,12 +155,12 @@ def _expect_affordable(vectors: float, what: str) -> None:
 
 
 def theta_series(gram: Gram, n: int, expected: str | None = None) -> list[int]:
-    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m of an even form.
+    """Return [r(0), …, r(n)], where r(m) is the number of vectors with value 2m of an even form.
 
     Raises :class:`TooLargeError` as :func:`short_vectors` does.
     """
     vectors = short_vectors(gram, 2 * n, expected)
-    first = list(islice(vectors, 1))  # the error comes before a list that is too long
+    first = list(islice(vectors, 1))  # the error precedes a list that is too long
     counts = [1] + [0] * n
     for _, value in chain(first, vectors):
         counts[value // 2] += 2

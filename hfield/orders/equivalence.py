@@ -4,9 +4,9 @@
 are finitely many such norms. In a totally definite algebra an element of such a norm is a vector of least
 possible length in a positive definite lattice. A complete enumeration of these vectors finds an element or
 proves that there is none (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In other algebras strong
-approximation decides. If the algebra splits at exactly one infinite place, a real one, a search
-for an element precedes: over ℚ among short vectors of a majorant of the norm form, then, over every base,
-among short vectors of the definite forms that belong to points of the hyperbolic plane.
+approximation decides. If exactly one infinite place splits, and it is real, an element is searched for first:
+over ℚ among short vectors of a majorant of the norm form, and then, over every base, among short vectors of
+the definite forms of points of the hyperbolic plane.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ STRONG_APPROXIMATION = (
 def equivalence(
     first: LatticeValue, second: LatticeValue, order: LatticeValue, side: str
 ) -> Verdict[Quaternion]:
-    """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ones), or why there is none.
+    """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ideals), or the reason why not.
 
-    ``order`` is that of which they are ideals. Raises :class:`UndecidedError` in an indefinite algebra, where
-    strong approximation does not decide.
+    Both are ideals of ``order``. Raises :class:`UndecidedError` in an indefinite algebra if strong
+    approximation does not decide.
     """
     invertible = is_locally_principal(first, order) and is_locally_principal(second, order)
     norm, between = second.norm / first.norm, None
@@ -68,7 +68,7 @@ def equivalence(
 def _between(
     first: LatticeValue, second: LatticeValue, order: LatticeValue, side: str, invertible: bool
 ) -> LatticeValue:
-    """Return the c with first·c in second, or c·first for right ideals."""
+    """Return the lattice of all c with first·c in second, or c·first for right ideals."""
     if not invertible:
         return colon(second, first, "left" if side == "right" else "right")
     bar = conjugate(first)
@@ -81,10 +81,10 @@ def _between(
 def element_generating(
     lattice: LatticeValue, norm: BaseIdeal, order: LatticeValue, invertible: bool = True
 ) -> Verdict[Quaternion]:
-    """Return an element of a lattice whose norm generates an ideal, or why there is none.
+    """Return an element of a lattice whose norm generates an ideal, or the reason why there is none.
 
-    ``invertible`` says that the lattice is locally principal, and ``order`` is one of its orders.
-    Raises :class:`UndecidedError`.
+    ``invertible`` means that the lattice is locally principal; ``order`` is one of its orders. Raises
+    :class:`UndecidedError`.
     """
     ambient, base = lattice.ambient, lattice.ambient.base
     norms = base.generators(norm, ambient.ramified_real_places)
@@ -120,7 +120,7 @@ def _norms_text(base: Base, norms: Sequence[BaseNumber]) -> str:
 
 
 def _among_short(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaternion | None:
-    """Return an element of norm ±n, if one is among short vectors for a majorant of the norm."""
+    """Return an element of norm ±n if there is one among short vectors for a majorant of the norm."""
     ambient = lattice.ambient
     if not ambient.has_majorant:
         return None
@@ -142,7 +142,7 @@ def _among_short(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaterni
 def _in_the_plane(
     lattice: LatticeValue, norms: Sequence[BaseNumber], order: LatticeValue
 ) -> Quaternion | None:
-    """Return an element of one of these norms that is short from some point of the plane."""
+    """Return an element of one of these norms that is short as seen from some point of the plane."""
     split = split_order(order)
     basis = lattice.elements(lattice.short_rows)
     return next((q for x in norms if (q := element_of_norm(split, basis, x)) is not None), None)

@@ -1,6 +1,6 @@
-"""Read elements, lattices, orders and ideals as Sage, Magma and PARI write them, and rows of coordinates.
+"""Read elements, lattices, orders and ideals in the notation of Sage, Magma or PARI, and rows of coordinates.
 
-These texts are read: those that ``text_for`` writes, Sage's output for orders and fractional ideals, lists of
+The reader accepts the output of ``text_for``, Sage's output for orders and fractional ideals, lists of
 elements as Magma prints a basis, PARI's columns, and rows of coordinates as lists or as a printed matrix. A
 text that names its algebra is read in that algebra only.
 """
@@ -56,9 +56,9 @@ _MAGMA_NAME = re.compile(r"(?<![\w.])([A-Za-z]\w*)\.([1-9])(?![\w.])")
 
 
 def read(algebra: QuaternionAlgebra, text: object) -> Value:
-    """Read an element, a lattice, an order, an ideal or a list of these in an algebra.
+    """Read an element, a lattice, an order, an ideal, or a list of these, in an algebra.
 
-    Raises :class:`NotationError` with the position of what cannot be read, and :class:`MixedParentsError` for
+    Raises :class:`NotationError` with the position of the unreadable part, and :class:`MixedParentsError` for
     a text about another algebra.
     """
     if not isinstance(text, str):
@@ -109,7 +109,7 @@ class _ForeignTextReader:
         return body[: places[0].start()].strip()
 
     def _name(self, name: SourceSpan, value: SourceSpan, letters: Sequence[SourceSpan]) -> None:
-        """Store a definition; check that a field or an algebra is that of the given algebra."""
+        """Store a definition; check that a field or an algebra agrees with the given algebra."""
         field = value.match(_FIELD)
         if field is not None:
             self.fields.add(name.text)
@@ -154,7 +154,7 @@ class _ForeignTextReader:
         )
 
     def _check_algebra(self, part: SourceSpan) -> None:
-        """Raise :class:`MixedParentsError` where a text names another algebra than this one."""
+        """Raise :class:`MixedParentsError` if a text names another algebra than this one."""
         value = self.definitions.get(part.text, part)
         found, constants = value.call("<"), list[SourceSpan]()
         if found is not None and found[0].text == "QuaternionAlgebra":
@@ -262,7 +262,7 @@ class _ForeignTextReader:
         return found
 
     def _matrix(self, part: SourceSpan) -> Lattice | None:
-        """Read rows of coordinates on lines, in brackets or not, and PARI's matrices."""
+        """Read rows of coordinates, one per line with or without brackets, or a PARI matrix."""
         inside, text = part.inside(), part.text
         if inside is not None and len(rows := inside.split(";")) > 1:
             return self._lattice(part, (self._coordinates(row, row.split(",")) for row in rows))
@@ -367,7 +367,7 @@ class _ForeignTextReader:
         return self._orders.get(part.text)
 
     def _order(self, part: SourceSpan) -> Order:
-        """Read an order, each only once."""
+        """Read an order; an order that occurs again is built only once."""
         kept = self._kept_order(part)
         if kept is None:
             found = self.value(self.definitions.get(part.text, part))
@@ -385,7 +385,7 @@ class _ForeignTextReader:
         return self._made(part, lambda: Lattice.spanned(self.algebra, spanning))
 
     def _made(self, part: SourceSpan, make: Callable[[], T]) -> T:
-        """Build an object of elements that were read; errors name the part of the text."""
+        """Build an object from elements already read; errors name the part of the text."""
         try:
             return make()
         except LatticeError as error:
@@ -443,7 +443,9 @@ class _ForeignTextReader:
         return q
 
     def _residue(self, x: Quaternion, modulus: Quaternion) -> Quaternion:
-        """Return x of PARI's ``Mod(x, f)``, where f is the polynomial of a generator: its value is 0."""
+        """Return x of PARI's ``Mod(x, f)``; f must be the polynomial of a generator, so that its
+        value is 0.
+        """
         if not modulus.is_zero():
             raise MixedParentsError(
                 f"this text has a residue modulo a polynomial that is not 0 in {shorten(self.algebra)} but "
@@ -452,7 +454,7 @@ class _ForeignTextReader:
         return x
 
     def _generator(self, prefix: str, number: int, part: SourceSpan) -> Quaternion:
-        """Return K.1, the generator of the field, or A.1, A.2, A.3 in Magma's names."""
+        """Return the generator K.1 of the field, or A.1, A.2, A.3 in Magma's notation."""
         if self.base_is_extended and prefix in self.fields | {"K"} and number == 1:
             q: Quaternion = self.algebra(self.algebra.ring.gen)
             return q

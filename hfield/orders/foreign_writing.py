@@ -42,7 +42,9 @@ def ideals_text(ideals: Sequence[LatticeValue], order: LatticeValue, side: str, 
 
 
 def _writer(lattice: LatticeValue, system: str) -> OtherSystemWriter:
-    """Return what writes. Raises :class:`RingError` for Sage over ℚ where constants are no integers."""
+    """Return the writer for a system. Raises :class:`RingError` for Sage over ℚ unless the constants are
+    integers.
+    """
     writer = OtherSystemWriter(lattice.algebra.ring, lattice.algebra.constants, system)
     base = lattice.ambient.base
     integral = all(base.is_integral(base.principal(x)) for x in lattice.ambient.constants if x)
@@ -55,9 +57,10 @@ def _writer(lattice: LatticeValue, system: str) -> OtherSystemWriter:
 
 
 def _basis(lattice: LatticeValue, writer: OtherSystemWriter) -> Basis:
-    """Return a basis over ℤ as coordinates; for Sage four elements over the integers of the field.
+    """Return a ℤ-basis as coordinates; for Sage, four elements that are a basis over the integers of the
+    field.
 
-    Raises :class:`RingError` for Sage where there is none.
+    Raises :class:`RingError` for Sage if there is no such basis.
     """
     basis = lattice.basis
     if writer.system == "sage" and len(basis) > 4:
@@ -69,7 +72,7 @@ def _basis(lattice: LatticeValue, writer: OtherSystemWriter) -> Basis:
 
 
 def _expect_rational(lattice: LatticeValue, writer: OtherSystemWriter, what: str) -> None:
-    """Raise :class:`RingError` for Sage over other fields than ℚ."""
+    """Raise :class:`RingError` for Sage over fields other than ℚ."""
     error = RingError(
         f"{what} are not written for Sage over {lattice.algebra.ring.name}: Sage has them over QQ; "
         "text_for('magma') writes them, and so does text_for('pari') by a basis over ZZ"

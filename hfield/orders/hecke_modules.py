@@ -28,7 +28,7 @@ class ClassFunctions(Module):
         self._rows: dict[tuple[Prime, int], Counter[int]] = {}
 
     def _modulo_squares(self) -> list[int]:
-        """Return the narrow class of the norm of each point modulo squares, by numbers."""
+        """Return the narrow class, modulo squares, of the norm of each point, as a number."""
         narrow = self.classes.keys.narrow
         group, classes = narrow.group, self.classes
         numbers = [classes.norms[n].number for n in self._of]
@@ -55,7 +55,7 @@ class ClassFunctions(Module):
 
     @cached_property
     def _involution(self) -> list[int]:
-        """An exchange of the points with which all Hecke operators at good primes commute."""
+        """An exchange of the points that commutes with all Hecke operators at good primes."""
         identity = list(range(len(self._of)))
         for Q in self.ramified if len(identity) > brandt.MAX_UNSPLIT else ():
             moved = [self._exchanged(i, Q) for i in identity]
@@ -65,13 +65,13 @@ class ClassFunctions(Module):
 
     @cached_property
     def _signed(self) -> list[tuple[int, list[int]]]:
-        """The signs under it, with the points that represent functions of this sign."""
+        """The two signs under the involution, each with the points that represent functions of this sign."""
         moved = list(enumerate(self._involution))
         even, odd = [i for i, j in moved if i <= j], [i for i, j in moved if i < j]
         return [(1, even), (-1, odd)] if odd else [(1, even)]
 
     def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
-        """Return the Brandt matrix of a good prime on functions of either sign under the involution."""
+        """Return the Brandt matrix of a good prime on the functions of each sign under the involution."""
         if prime not in self._operators:
             self._operators[prime] = self._signed_matrices(
                 brandt.prime_power(self.classes, prime, 1)
@@ -96,7 +96,7 @@ class ClassFunctions(Module):
         return found
 
     def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
-        """Return functions of one sign by their values at all points, in rows."""
+        """Return functions of one sign as rows of values at all points."""
         sign, points = self._signed[block]
         columns, zero = rows.transpose().tolist(), [0] * rows.nrows()
         values = [zero] * len(self._of)
@@ -106,7 +106,9 @@ class ClassFunctions(Module):
         return nmod_mat(values, p).transpose()
 
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
-        """Return the characteristic polynomial of a Hecke operator on functions of the norm alone."""
+        """Return the characteristic polynomial of a Hecke operator on functions that factor through
+        the norm.
+        """
         size = max(self.narrow) + 1
         entries = [0] * (size * size)
         for kind in range(size):

@@ -1,10 +1,10 @@
-"""Lattices of full rank as matrices over a denominator: the Hermite form, and operations by means of it.
+"""Lattices of full rank as matrices over a denominator: the Hermite form and operations based on it.
 
 Entries are integers, or polynomials over a finite field (:mod:`hfield.orders.domains`).
 
 A lattice is a pair ``(den, rows)``: the row Hermite normal form over the least denominator. This pair is
-unique, so two lattices are equal exactly when their pairs are (Cohen, *A Course in Computational Algebraic
-Number Theory*, section 2.4.2).
+unique, so two lattices are equal if and only if their pairs are equal (Cohen, *A Course in Computational
+Algebraic Number Theory*, section 2.4.2).
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ MAX_MULTIPLIED_ROWS = 128
 
 
 def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
-    """Return the canonical form of what the rows of an integer matrix, over ``den``, generate.
+    """Return the canonical form of the lattice spanned by the rows of an integer matrix over ``den``.
 
-    None when the rank is below the number of columns.
+    Return None if the rank is below the number of columns.
     """
     size = matrix.ncols()
     if matrix.nrows() < size:
@@ -38,7 +38,7 @@ def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
 
 
 def reduced(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
-    """Return an integer matrix over ``den`` as one over the least denominator."""
+    """Return an integer matrix over ``den``, reduced to the least denominator."""
     found: tuple[int, fmpz_mat] = domain_of(matrix).lowest_terms(den, matrix)
     return found
 
@@ -104,7 +104,7 @@ def divided(rows: fmpz_mat, n: int) -> fmpz_mat:
 
 
 def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
-    """Return ``(m, d)``: the rows of ``other`` are those of m/d times the regular ``matrix``."""
+    """Return ``(m, d)`` such that ``other`` is m/d times the regular ``matrix``."""
     inv, d = inverse(matrix)
     return other * inv, d
 
@@ -161,6 +161,8 @@ def joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
 
 
 def span(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
-    """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
+    """Return the Hermite form of the lattice spanned by the rows of an integer matrix over ``den``, of any
+    rank.
+    """
     found = matrix.hnf()
     return reduced(den, first_rows(found, found.rank()))

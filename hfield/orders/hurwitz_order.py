@@ -1,4 +1,4 @@
-"""The Hurwitz order as a Euclidean ring: division with remainder, on both sides."""
+"""The Hurwitz order as a Euclidean ring, with division with remainder on both sides."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hfield.orders.lattice import Order
 
 
 class HurwitzOrder(Order):
-    """The Hurwitz order of (−1,−1|ℚ), in which one divides with remainder, on both sides."""
+    """The Hurwitz order of (−1,−1|ℚ), with division with remainder on both sides."""
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:

@@ -1,8 +1,8 @@
-"""Find two generators of an invertible ideal: an element, and a number, or over ℤ_K an ideal of the field.
+"""Find two generators of an invertible ideal: an element and a number (over ℤ_K, an ideal of the field).
 
 Let m be the largest scalar factor of I, so that I = m·J with J primitive of norm 𝔫. Then m·𝔫 lies in I, and
-``I = O·m·𝔫 + O·x`` for every x in I with N(x)/N(I) prime to 𝔫. At the primes of 𝔫 both sides are O·x, at all
-others m·O (Voight, *Quaternion Algebras*, section 16.3).
+``I = O·m·𝔫 + O·x`` for every x in I with N(x)/N(I) prime to 𝔫. At the primes of 𝔫 both sides are O·x; at all
+others both are m·O (Voight, *Quaternion Algebras*, section 16.3).
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ def two_generators(
 ) -> tuple[ShownIdeal, Quaternion]:
     """Return (n, x) with ``I = O·n + O·x`` for a left ideal, n·O + x·O for a right one.
 
-    The lattice of both is computed and compared. Raises :class:`LatticeError` unless I is locally principal.
+    The lattice that they generate is computed and compared with I. Raises :class:`LatticeError` unless I is
+    locally principal.
     """
     if not is_locally_principal(ideal, order):
         raise LatticeError(

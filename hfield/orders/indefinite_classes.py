@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 class IndefiniteClassSet(Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
-    ``group`` is the group of ideals modulo generators positive where the algebra ramifies, with ``class_of``.
+    ``group`` is the group of ideals modulo principal ideals with a generator positive at the ramified real
+    places; it has ``class_of``.
     """
 
     foreign_names: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
@@ -52,7 +53,7 @@ class IndefiniteClassSet(Hinted):
 
     @cached_property
     def _ideals(self) -> dict[tuple[int, ...], Ideal]:
-        """A representative of each class, by its class in the group: O, and ideals of prime norms."""
+        """A representative of each class, by its class in the group: O, or an ideal of prime norm."""
         order, base = self.order, self.order.value.ambient.base
         found = {self.group.class_of(base.one): order.right_ideal([1])}
         for P in good_primes(order.value):
@@ -80,9 +81,9 @@ class IndefiniteClassSet(Hinted):
 
     @property
     def type_number(self) -> int:
-        """The number of isomorphism classes of left orders, for Eichler orders; others raise.
+        """The number of isomorphism classes of left orders, for Eichler orders; other orders raise an error.
 
-        They are the classes modulo squares and the norms of two-sided ideals (Voight, 28.5).
+        They correspond to the classes modulo squares and norms of two-sided ideals (Voight, 28.5).
         """
         if not self.order.is_eichler():
             raise LatticeError(

@@ -9,16 +9,17 @@ from hfield.orders.lattice_values import LatticeValue, discriminant, dual
 
 
 def level(order: LatticeValue) -> BaseIdeal:
-    """Return the index in a maximal order: the reduced discriminant over that of the algebra."""
+    """Return the index in a maximal order: the reduced discriminant divided by that of the algebra."""
     found: BaseIdeal = discriminant(order) / order.ambient.discriminant
     return found
 
 
 def eichler_symbol(order: LatticeValue, prime: Prime) -> int | None:
-    """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is maximal and split at P.
+    """Return the Eichler symbol (O | P): 1, 0 or −1; None if the order is maximal and split at P.
 
-    It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2). Outside of what is
-    central modulo the radical a polynomial x² − tr(x)·x + N(x) is separable.
+    The values mean that the residue algebra is split, ramified or inert (Voight, definition 24.3.2). For
+    elements that are not central modulo the radical, x² − tr(x)·x + N(x) is a separable polynomial in the
+    split and inert cases.
     """
     ambient, base = order.ambient, order.ambient.base
     if not base.valuation(discriminant(order), prime):
@@ -40,9 +41,9 @@ def is_eichler(order: LatticeValue) -> bool:
 
 
 def has_all_unit_norms(order: LatticeValue) -> bool:
-    """Return whether the local units of an order are known to have all local units as norms.
+    """Return whether all local units of the base are known to be norms of local units of the order.
 
-    They have where the Eichler symbols are 1 and −1.
+    This is known if all Eichler symbols are 1 or −1.
     """
     ambient, base, whole = order.ambient, order.ambient.base, discriminant(order)
     return all(
@@ -52,7 +53,8 @@ def has_all_unit_norms(order: LatticeValue) -> bool:
 
 
 def conductor(order: LatticeValue) -> BaseIdeal:
-    """Return the largest ideal f with O = R + f·G for an order G, R being the integers of the base.
+    """Return the largest ideal f with O = R + f·G for an order G, where R is the ring of integers of the
+    base.
 
     It is N(O#)·discrd(O): for Gorenstein orders the dual is locally principal, and f⁻² comes from f⁻¹·G#.
     """
@@ -63,8 +65,8 @@ def conductor(order: LatticeValue) -> BaseIdeal:
 def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Prime], LatticeValue]) -> bool:
     """Return whether every order that contains this one is Gorenstein.
 
-    With the Eichler symbols 1 and −1 those are Bass that are Gorenstein; with 0 the left order of the
-    radical, which ``larger_at`` returns, is the only minimal overorder of a Gorenstein order.
+    With Eichler symbol 1 or −1 an order is Bass if and only if it is Gorenstein. With symbol 0 the left order
+    of the radical, which ``larger_at`` returns, is the only minimal overorder of a Gorenstein order.
     """
     base = order.ambient.base
     for prime, e in base.factorisation(discriminant(order)):
@@ -80,6 +82,6 @@ def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Prime], Latt
 
 
 def good_primes(order: LatticeValue) -> Iterator[Prime]:
-    """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
+    """Yield the primes that do not divide the discriminant of an order, in order of norm."""
     base, whole = order.ambient.base, discriminant(order)
     return (prime for prime in base.primes_by_norm() if not base.valuation(whole, prime))

@@ -21,7 +21,7 @@ def isomorphism(first: LatticeValue, second: LatticeValue) -> Verdict[Quaternion
 
     In an indefinite algebra equal orders, and orders with different discriminants or conductors, are decided
     first. For other pairs the function raises :class:`IndefiniteError` unless every ideal of the base has a
-    generator that is positive where the algebra ramifies. It raises :class:`UndecidedError` unless both
+    generator that is positive at the ramified real places. It raises :class:`UndecidedError` unless both
     Gorenstein closures are Eichler orders.
     """
     found = _decide(first, second)

@@ -1,10 +1,10 @@
-"""Find equivalent ideals with small prime norm, with a norm dividing a smooth number, or of prime power norm.
+"""Find equivalent ideals of small prime norm, of norm dividing a smooth number, or of prime power norm.
 
 The last two use the algorithm of Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path problem"
-(2014). Let I be a left ideal of a p-extremal order, of prime norm N. Three elements are found: γ of norm N·T₁
+(2014). Let I be a left ideal of prime norm N of a p-extremal order. Three elements are found: γ of norm N·T₁
 (RepresentInteger), μ₀ = (C + D·s)·β with γ·μ₀ in I (IdealModConstraint), and μ = λ·μ₀ + N·μ₁ of norm T₂
-(StrongApproximation). Then γ·μ lies in I and has the norm N·T₁·T₂. The last coordinates of μ₁ are chosen by
-a closest vector in a lattice; then T₂ is about p·N³ and T₁·T₂ about p³.
+(StrongApproximation). Then γ·μ lies in I and has the norm N·T₁·T₂. The last coordinates of μ₁ are chosen by a
+closest vector in a lattice; then T₂ is about p·N³ and T₁·T₂ about p³.
 
 Another maximal order O is connected to an extremal order E by an ideal K. If x is in K and y in K·I, then
 conj(x)·y/N(K) is in I.
@@ -53,7 +53,7 @@ MAX_TRIALS = 20_000
 def to_prime_norm(ideal: LatticeValue, avoid: frozenset[int]) -> Quaternion:
     """Return x in an ideal for which N(x)/N(I) is the least prime not in ``avoid``.
 
-    Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
+    Raises :class:`IndefiniteError`, and :class:`UndecidedError` if no such norm was found.
     """
     expect_definite(ideal.ambient, "equivalent_of_prime_norm()")
     for row, m in by_norm(ideal):
@@ -65,7 +65,7 @@ def to_prime_norm(ideal: LatticeValue, avoid: frozenset[int]) -> Quaternion:
 
 
 def by_norm(ideal: LatticeValue) -> Iterator[tuple[tuple[int, ...], int]]:
-    """Yield elements as rows, and their norms as multiples of the norm of the ideal, by ascending norm."""
+    """Yield elements as rows, and their norms as multiples of the norm of the ideal, in ascending order."""
     low, high = 0, 2 * least_norm(ideal)
     for _ in range(DOUBLINGS):
         found = sorted((m, row) for row, m in up_to(ideal, high) if m > low)
@@ -77,10 +77,10 @@ def by_norm(ideal: LatticeValue) -> Iterator[tuple[tuple[int, ...], int]]:
 def random_elements(
     ideal: LatticeValue, rng: random.Random
 ) -> Iterator[tuple[tuple[int, ...], int]]:
-    """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
+    """Yield random elements and their norms, as :func:`by_norm` does, that do not lie in a small subspace.
 
-    All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
-    a quadratic order and n inert in it.
+    All short elements may lie in a plane on which the norms have a common divisor; an example is the ideal
+    ``O·R·n`` for a quadratic order R in which n is inert.
     """
     rows, _ = ideal.reduced
     for trial in range(MAX_TRIALS):
@@ -143,7 +143,7 @@ def _klpt(
 def _from_extremal(
     ideal: LatticeValue, f: QuadraticFrame, norms: AllowedNorms, rng: random.Random
 ) -> Quaternion | None:
-    """Return the same for a left ideal of an order with a p-extremal frame."""
+    """Return such an x for a left ideal of an order with a p-extremal frame."""
     for x, start, norm in islice(_prime_starts(ideal, f, norms, rng), ATTEMPTS):
         beta = _from_prime(start, f, norm, norms, rng)
         if beta is not None:
@@ -154,7 +154,9 @@ def _from_extremal(
 def _prime_starts(
     ideal: LatticeValue, f: QuadraticFrame, norms: AllowedNorms, rng: random.Random
 ) -> Iterator[tuple[Quaternion, LatticeValue, int]]:
-    """Yield x in I, the equivalent ideal I·conj(x)/N(I) and its norm, an odd prime that is not allowed."""
+    """Yield x in I, the equivalent ideal I·conj(x)/N(I), and its norm, an odd prime that divides no allowed
+    norm.
+    """
     for row, norm in chain(by_norm(ideal), random_elements(ideal, rng)):
         if norm in (f.norm, 2) or norms.divisible_by(norm) or not is_probable_prime(norm):
             continue
@@ -189,7 +191,7 @@ def _from_prime(
 
 
 def _least_first(f: QuadraticFrame, norm: int) -> int:
-    """Return about the least T₁ for which N·T₁ is likely to be represented by the order."""
+    """Return about the least T₁ for which the order is likely to represent N·T₁."""
     return max(2, (f.norm << 8) * f.norm.bit_length() // norm)
 
 
@@ -201,14 +203,14 @@ def to_norm_dividing(
 ) -> Quaternion:
     """Return x in a left ideal of a maximal order for which N(x)/N(I) divides a smooth number T.
 
-    Norms of moderate size are tried first, the least one wins, then KLPT. Raises :class:`LatticeError` for
-    another order, :class:`NoEquivalentIdealError` where all divisors were tried, and
+    Norms of moderate size are tried first, and the least one is returned; then KLPT is used. Raises
+    :class:`LatticeError` for another order, :class:`NoEquivalentIdealError` if all divisors were tried, and
     :class:`UndecidedError`.
     """
     p = expect_maximal(order, "equivalent_of_norm_dividing()")
     rng, allowed = random.Random(seed), number
     variants = [ideal]
-    # the elements of norms that a ramified prime divides are those of P·I, for the two-sided prime P
+    # the elements whose norm a ramified prime divides are those of P·I, for the two-sided prime P
     for prime in (int(fraction(P)) for P in order.ambient.ramified):
         if number % prime == 0:
             allowed = remove(allowed, prime)[1]
@@ -245,7 +247,7 @@ def to_norm_dividing(
 def _of_large_norm(
     ideal: LatticeValue, norms: AllowedNorms, least: int, rng: random.Random
 ) -> Quaternion | None:
-    """Return x with an allowed N(x)/N(I) of at least some size, for small discriminants."""
+    """Return x such that N(x)/N(I) is allowed and has at least some size, for small discriminants."""
     above = list(norms.above(least, rng))
     for n in dict.fromkeys([*above[-2:], *above[:4]]):
         x, _ = of_norm(ideal, n, rng)
@@ -255,7 +257,7 @@ def _of_large_norm(
 
 
 def _needed(ideal: LatticeValue, order: LatticeValue, number: int) -> str:
-    """Return a sentence on the size of numbers for which KLPT is likely to succeed."""
+    """Return a sentence on the size of T from which KLPT is likely to succeed."""
     p = order.ambient.base.absolute_norm(discriminant(order))
     if len(order.ambient.ramified) > 1 and extremal_frame(order, MAX_FRAME_DISCRIMINANT) is None:
         return f"KLPT, for larger numbers, is for algebras of prime discriminant, and this is {shorten(p)}"
@@ -267,7 +269,7 @@ def _needed(ideal: LatticeValue, order: LatticeValue, number: int) -> str:
 
 
 def _needed_bits(ideal: LatticeValue, order: LatticeValue, norms: AllowedNorms) -> int:
-    """Return about how many bits of an allowed norm KLPT needs."""
+    """Return approximately the number of bits of an allowed norm that KLPT needs."""
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
     if f is None:
         start = extremal_order(order.ambient.algebra)
@@ -275,7 +277,7 @@ def _needed_bits(ideal: LatticeValue, order: LatticeValue, norms: AllowedNorms) 
         parts = connection, product(connection, ideal)
         return sum(_needed_bits(part, start, norms) for part in parts)
     p = f.norm
-    # all short elements may lie in a plane, where no norm is prime
+    # all short elements may lie in a plane that contains no element of prime norm
     norm = next((n for _, _, n in _prime_starts(ideal, f, norms, random.Random(0))), p)
     slack = 18 + p.bit_length().bit_length() + (-f.discriminant).bit_length()
     return 2 * p.bit_length() + 2 * norm.bit_length() + slack

@@ -1,8 +1,8 @@
-"""Labels of orders over ℤ: texts that are equal exactly for isomorphic orders.
+"""Labels of orders over ℤ: texts that are equal if and only if the orders are isomorphic.
 
-The label of a definite order is its reduced ternary form. Orders are isomorphic exactly when their ternary
-forms are equivalent up to a sign (Voight, *Quaternion Algebras*, theorem 22.1.1). The form of a definite
-order is taken positive, and equivalent positive forms have the same reduced form. The label of an Eichler
+The label of a definite order is its reduced ternary form. Orders are isomorphic if and only if their ternary
+forms are equivalent up to sign (Voight, *Quaternion Algebras*, theorem 22.1.1). The form of a definite order
+is taken to be positive, and equivalent positive forms have the same reduced form. The label of an Eichler
 order of level N in an indefinite algebra of discriminant D is ``D.N``: by strong approximation the order is
 unique up to conjugation (Voight, theorem 28.2.11). Other orders have no label yet.
 """
@@ -43,7 +43,7 @@ def reduced_form(order: LatticeValue) -> TernaryForm:
 
 
 def label(order: LatticeValue) -> str:
-    """Return the label. Raises :class:`UndecidedError` for an order that has none yet."""
+    """Return the label. Raises :class:`UndecidedError` for an order without a label."""
     ambient = order.ambient
     expect_labels(ambient)
     if ambient.definite:
@@ -55,10 +55,10 @@ def label(order: LatticeValue) -> str:
 
 
 def order_of_label(algebra: Parent, text: str) -> LatticeValue:
-    """Return an order with this label in an algebra.
+    """Return an order of an algebra with this label.
 
-    Raises :class:`NotationError` for what is no label, :class:`MixedParentsError` for one of an order in
-    another algebra, and :class:`UndecidedError` over another field than ℚ.
+    Raises :class:`NotationError` for an invalid label, :class:`MixedParentsError` for the label of an order
+    in another algebra, and :class:`UndecidedError` over fields other than ℚ.
     """
     ambient = basis_of(algebra)
     expect_rational(ambient.base, _no_label(f"of orders over {ambient.base.symbol}"))
@@ -90,7 +90,7 @@ def order_of_label(algebra: Parent, text: str) -> LatticeValue:
 
 
 def _eichler(algebra: Parent, discriminant: int, number: int) -> LatticeValue:
-    """Return the Eichler order of an indefinite label."""
+    """Return the Eichler order of an indefinite algebra with this label."""
     ambient = basis_of(algebra)
     if ambient.definite:
         raise MixedParentsError(

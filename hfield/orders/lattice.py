@@ -98,8 +98,9 @@ OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 class Lattice(Hinted, PrintedBySympy):
     """A module of rank 4 over ℤ, the integers ℤ_K of a number field, or 𝔽_q[t].
 
-    It is kept in Hermite normal form over ℤ, or 𝔽_q[t], so equal lattices are equal, and hash alike, however
-    they were given. ``x in L`` asks for membership, ``M <= L`` for containment.
+    It is stored in Hermite normal form over ℤ, or 𝔽_q[t]. So lattices that are equal as sets compare and hash
+    as equal, whatever elements they were constructed from. ``x in L`` tests membership, ``M <= L``
+    containment.
 
     >>> from hfield import H, QuaternionAlgebra
     >>> A = H("QQ")
@@ -134,9 +135,9 @@ class Lattice(Hinted, PrintedBySympy):
 
     @classmethod
     def spanned(cls, algebra: Parent, elements: Iterable[object]) -> Lattice:
-        """Return the lattice that elements, or pairs (ideal, element), span over the integers of the field.
+        """Return the lattice spanned by elements, or pairs (ideal, element), over the integers of the field.
 
-        Raises :class:`LatticeError` when its rank is below 4, or for an algebra over another ring.
+        Raises :class:`LatticeError` if its rank is below 4, or for an algebra over another ring.
         """
         return Lattice(lattice_values.spanned(algebra, elements))
 
@@ -144,12 +145,12 @@ class Lattice(Hinted, PrintedBySympy):
 
     @property
     def hnf(self) -> tuple[int | RationalFunction, tuple[tuple[int | RationalFunction, ...], ...]]:
-        """The least denominator, and the rows of the Hermite normal form, integers.
+        """The least denominator, and the rows of the Hermite normal form as integers.
 
-        Over ℚ they are coordinates over 1, i, j, k; over K coordinates in the integral basis times
-        1, I, J, IJ. I and J anticommute and have integral squares; they are i and j for t = 0 and integral
-        a and b. Over GF(q)(t) they are polynomials, with I = r·i and J = s·j for the least r and s that make
-        traces and norms integral.
+        Over ℚ they are coordinates over 1, i, j, k; over K they are coordinates in the integral basis times
+        1, I, J, IJ. I and J anticommute and have integral squares; they equal i and j if t = 0 and a and b
+        are integral. Over GF(q)(t) they are polynomials, with I = r·i and J = s·j for the least r and s that
+        make traces and norms integral.
         """
         shown = self.value.ambient.base.shown_number
         den, rows = self.value.hnf
@@ -157,11 +158,11 @@ class Lattice(Hinted, PrintedBySympy):
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
-        """The rows of the normal form as elements: a basis over ℤ, the same for equal lattices."""
+        """The rows of the normal form as elements: a ℤ-basis, the same for equal lattices."""
         return self.value.basis
 
     def pseudo_basis(self) -> PseudoBasis:
-        """Return four pairs (basis over ℤ of an ideal, quaternion): L is the direct sum of their products.
+        """Return four pairs (ℤ-basis of an ideal, quaternion); L is the direct sum of their products.
 
         >>> from hfield import H
         >>> [q for _, q in H("QQ").lipschitz_order().pseudo_basis()]
@@ -194,7 +195,7 @@ class Lattice(Hinted, PrintedBySympy):
         return f"{symbol}⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
 
     def latex(self) -> str:
-        """Write the lattice by a basis of four elements, or as a sum of ideals times elements, in LaTeX."""
+        """Return the lattice in LaTeX, by a basis of four elements or as a sum of ideals times elements."""
         if len(self.basis) == 4:
             basis = ", ".join(q.text("latex") for q in self.basis)
             symbol = self.value.ambient.domain.latex
@@ -209,10 +210,10 @@ class Lattice(Hinted, PrintedBySympy):
     def text_for(self, system: str) -> str:
         """Write the lattice as code for ``"sage"``, ``"magma"`` or ``"pari"``; ``A.read(text)`` reads it.
 
-        Sage gets an order, an ideal of an order, or for another lattice a fractional ideal; over number
-        fields only orders that are free modules. Magma gets an order, an ideal, or for another lattice the
-        list of a basis; PARI always that list. Raises :class:`RingError` where the other system has no such
-        thing, and as :meth:`QuaternionAlgebra.text_for` does.
+        For Sage the result is an order, an ideal of an order, or otherwise a fractional ideal; over number
+        fields only orders that are free modules are written. For Magma it is an order, an ideal, or otherwise
+        the list of a basis; for PARI it is always that list. Raises :class:`RingError` if the other system
+        has no such object, and as :meth:`QuaternionAlgebra.text_for` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra(11).maximal_order(); O.text_for("pari")
@@ -240,7 +241,7 @@ class Lattice(Hinted, PrintedBySympy):
     # --- arithmetic ------------------------------------------------------------------------------
 
     def __add__(self, other: object) -> Lattice:
-        """Return the sum, the least lattice that contains both."""
+        """Return the sum, the smallest lattice that contains both."""
         second = self._same(other, "add")
         return self._result_with(second, lattice_values.add(self.value, second.value))
 
@@ -280,7 +281,7 @@ class Lattice(Hinted, PrintedBySympy):
         return Lattice(lattice_values.conjugate(self.value))
 
     def dual(self) -> Lattice:
-        """Return the x with tr(x·L) in the integers, the codifferent of an order (Voight, 15.6.2)."""
+        """Return all x with tr(x·L) integral; for an order this is the codifferent (Voight, 15.6.2)."""
         return Lattice(lattice_values.dual(self.value))
 
     def colon(self, other: object, side: str = "left") -> Lattice:
@@ -289,9 +290,9 @@ class Lattice(Hinted, PrintedBySympy):
         return Lattice(lattice_values.colon(self.value, factor.value, checked_side(side)))
 
     def index(self, other: object) -> ShownIdeal:
-        """Return the index of the other lattice in this one, over ℤ an int where it is contained.
+        """Return the index of the other lattice in this one; over ℤ an int if it is contained in this one.
 
-        Otherwise the ratio of the volumes, a Fraction (Voight, section 9.6). Over ℤ_K it is an ideal.
+        Otherwise it is the ratio of the volumes, a Fraction (Voight, section 9.6). Over ℤ_K it is an ideal.
         """
         ratio = lattice_values.index(self.value, self._same(other, "compare").value)
         return self.value.ambient.base.shown_index(ratio)
@@ -306,7 +307,7 @@ class Lattice(Hinted, PrintedBySympy):
         return self.value.ambient.base.shown_index(self.value.volume)
 
     def left_order(self) -> Order:
-        """Return ``{x : x·L ⊆ L}``, an order; in matrix algebras as in division algebras."""
+        """Return ``{x : x·L ⊆ L}``, an order; this also works in matrix algebras."""
         return self._order_on("left")
 
     def right_order(self) -> Order:
@@ -317,11 +318,13 @@ class Lattice(Hinted, PrintedBySympy):
         return Order(lattice_values.order_of(self.value, side))
 
     def is_invertible(self) -> bool:
-        """Return whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
+        """Return whether ``L·L⁻¹`` is the left order, which holds if and only if L is locally principal
+        (Voight, 16.7.7).
+        """
         return lattice_values.is_locally_principal(self.value, self.left_order().value)
 
     def inverse(self) -> Lattice:
-        """Return ``{x : L·x·L ⊆ L}``, the inverse. Raises :class:`LatticeError` where L has none."""
+        """Return ``{x : L·x·L ⊆ L}``, the inverse. Raises :class:`LatticeError` if L is not invertible."""
         if not self.is_invertible():
             raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
         return Lattice(lattice_values.inverse(self.value))
@@ -335,12 +338,12 @@ class Lattice(Hinted, PrintedBySympy):
     def norm(self) -> ShownIdeal:
         """Return the reduced norm of the lattice: over ℤ the gcd of the norms of its elements, in QQ.
 
-        Over ℤ_K it is the ideal that they generate.
+        Over ℤ_K it is the ideal generated by the norms.
         """
         return self.value.ambient.base.shown_norm(self.value)
 
     def gram_matrix(self) -> tuple[tuple[BaseNumber, ...], ...]:
-        """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
+        """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`; the diagonal has twice the norms."""
         base, grams = self.value.ambient.base, self.value.grams
         below = self.value.ambient.scale * self.value.den**2
         size, fraction_of = range(len(self.basis)), self.value.ambient.domain.fraction
@@ -351,10 +354,11 @@ class Lattice(Hinted, PrintedBySympy):
         return tuple(tuple(entry(m, n) for n in size) for m in size)
 
     def reduced_basis(self) -> tuple[Quaternion, ...]:
-        """Return an LLL-reduced basis over ℤ for Tr(N(x)), the shortest first in a definite algebra.
+        """Return an LLL-reduced basis over ℤ for Tr(N(x)); in a definite algebra the shortest element comes
+        first.
 
-        In an indefinite one over ℚ the norm is replaced by ``|w² …|``, the sum of the absolute values of its
-        terms; over other fields :class:`IndefiniteError` is raised.
+        In an indefinite algebra over ℚ the norm is replaced by ``|w² …|``, the sum of the absolute values of
+        its terms; over other fields :class:`IndefiniteError` is raised.
         """
         rows, gram = self.value.reduced
         found = self.value.elements(rows)
@@ -364,17 +368,17 @@ class Lattice(Hinted, PrintedBySympy):
         return tuple(found[n] for n in sorted(range(len(found)), key=lambda n: length(gram[n][n])))
 
     def shortest(self) -> tuple[Quaternion, ...]:
-        """Return the nonzero elements x of least Tr(N(x)), over ℤ of least norm, of a definite algebra.
+        """Return the nonzero elements x of least Tr(N(x)) (over ℤ, of least norm) in a definite algebra.
 
-        Both x and −x. Raises :class:`IndefiniteError`.
+        Both x and −x are listed. Raises :class:`IndefiniteError`.
         """
         expect_definite(self.value.ambient, "shortest()")
         return short_elements.shortest(self.value)
 
     def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
-        """Return all elements of norm n, a number of the field, of a definite algebra.
+        """Return all elements whose norm is n, a number of the field, in a definite algebra.
 
-        Raises :class:`IndefiniteError`, and :class:`TooLargeError` where there are more than a million.
+        Raises :class:`IndefiniteError`, and :class:`TooLargeError` if there are more than a million.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
@@ -385,19 +389,19 @@ class Lattice(Hinted, PrintedBySympy):
         return short_elements.of_norm(self.value, self.value.ambient.base.inside(n))
 
     def elements_of_norm_at_most(self, n: object) -> tuple[Quaternion, ...]:
-        """Return all elements with Tr(N(x)) at most n, over ℤ of norm at most n, 0 too, ascending.
+        """Return all elements with Tr(N(x)) at most n (over ℤ, of norm at most n), including 0, ascending.
 
-        Over 𝔽_q[t] n is a bound for the degree of the norm.
-        Raises as :meth:`elements_of_norm` does.
+        Over 𝔽_q[t], n is a bound for the degree of the norm. Raises as :meth:`elements_of_norm` does.
         """
         expect_definite(self.value.ambient, "elements_of_norm_at_most()")
         return short_elements.of_norm_at_most(self.value, n)
 
     def theta_series(self, n: int) -> ThetaSeries:
-        """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm()``, in a definite algebra.
+        """Return [r(0), …, r(n)], where r(m) is the number of elements of norm ``m·norm()``, in a definite
+        algebra.
 
-        Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ascending by traces, and over 𝔽_q[t] for
-        those of degree at most n. Raises :class:`IndefiniteError`, and :class:`TooLargeError`.
+        Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ordered by trace; over 𝔽_q[t] for the
+        norms of degree at most n. Raises :class:`IndefiniteError`, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().theta_series(3)
@@ -438,19 +442,20 @@ class Order(WithStableClasses, Certified, Lattice):
 
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
-        """Return the ring that elements generate over the integers of the field.
+        """Return the ring generated by elements over the integers of the field.
 
-        Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains
+        Raises :class:`LatticeError` if its rank is below 4, or if it is not a lattice because it contains
         elements that are not integral.
         """
         return cls(generated_orders.generated(algebra, elements))
 
     @classmethod
     def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
-        """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
+        """Return the order with a basis of four elements; over ℤ_K, the order spanned by elements or a
+        pseudo-basis.
 
-        Raises :class:`LatticeError` unless they span a ring with 1; the message names the product that is
-        missing.
+        Raises :class:`LatticeError` unless they span a ring with 1; the message names a product that is not
+        in the span.
         """
         basis = listed(elements)
         if basis_of(algebra).degree == 1 and len(basis) != 4:
@@ -469,20 +474,20 @@ class Order(WithStableClasses, Certified, Lattice):
     @overload
     def __and__(self, other: object) -> Lattice: ...
     def __and__(self, other: object) -> Lattice:
-        """Return the intersection with a lattice; that with another order is an order."""
+        """Return the intersection with a lattice; the intersection with another order is an order."""
         found = super().__and__(other)
         return Order(found.value) if isinstance(other, Order) else found
 
     @cached_property
     def claim(self) -> CertifiedClaim:
-        """That this is an order of its discriminant, as a statement with its evidence."""
+        """The claim that this is an order with its discriminant, with evidence."""
         return certificates.of_order(self.value)
 
     @property
     def evidence(self) -> dict[str, object]:
         """The evidence for the order: its rows, closed under products, and its discriminant.
 
-        Rows are those of :attr:`hnf`; over ℤ_K discriminants are texts of ideals.
+        The rows are those of :attr:`hnf`; over ℤ_K discriminants are written as texts of ideals.
         """
         ambient = self.value.ambient
         return {
@@ -514,12 +519,12 @@ class Order(WithStableClasses, Certified, Lattice):
         return self.value.ambient.base.shown_index(lattice_values.discriminant(self.value))
 
     def norm_of_discriminant(self) -> int:
-        """Return the absolute norm of the reduced discriminant; over ℤ it is that number itself."""
+        """Return the absolute norm of the reduced discriminant; over ℤ it is the discriminant."""
         return self.value.ambient.base.absolute_norm(lattice_values.discriminant(self.value))
 
     @property
     def level(self) -> ShownIdeal:
-        """The index in a maximal order: the reduced discriminant over that of the algebra."""
+        """The index in a maximal order: the reduced discriminant divided by that of the algebra."""
         return self.value.ambient.base.shown_index(invariants.level(self.value))
 
     def local_index(self, prime: object) -> int:
@@ -528,13 +533,13 @@ class Order(WithStableClasses, Certified, Lattice):
         return base.valuation(invariants.level(self.value), base.prime(prime))
 
     def is_definite(self) -> bool:
-        """Return whether the algebra is totally definite: units modulo those of the field are finitely
-        many.
+        """Return whether the algebra is totally definite, so that there are finitely many units modulo
+        scalars.
         """
         return bool(self.value.ambient.definite)
 
     def is_maximal(self) -> ExplainedBool:
-        """Return whether no larger order contains this one, with a ``reason``: its discriminant decides."""
+        """Return whether no larger order contains this one, with a ``reason`` from its discriminant."""
         level = self.level
         whole = f"its discriminant {self.discriminant()} is that of the algebra"
         if level == 1:
@@ -546,18 +551,22 @@ class Order(WithStableClasses, Certified, Lattice):
         return invariants.is_eichler(self.value)
 
     def eichler_symbol(self, prime: object) -> int | None:
-        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
+        """Return the Eichler symbol (O | P): 1, 0 or −1; None if the order is M₂(ℤ_P) at P.
 
-        It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
+        The values mean that the residue algebra is split, ramified or inert (Voight, definition 24.3.2).
         """
         return invariants.eichler_symbol(self.value, self.value.ambient.base.prime(prime))
 
     def conductor(self) -> ShownIdeal:
-        """Return the largest f with O = R + f·G for an order G, R being ℤ or ℤ_K: 1 for Gorenstein orders."""
+        """Return the largest f with O = R + f·G for an order G, where R is ℤ or ℤ_K; 1 for
+        Gorenstein orders.
+        """
         return self.value.ambient.base.shown_index(invariants.conductor(self.value))
 
     def is_gorenstein(self) -> bool:
-        """Return whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        """Return whether the codifferent is invertible, or equivalently the conductor is 1 (Voight, section
+        24.2).
+        """
         return bool(self.conductor() == 1)
 
     def is_bass(self) -> bool:
@@ -565,16 +574,16 @@ class Order(WithStableClasses, Certified, Lattice):
         return invariants.is_bass(self.value, lambda O, P: OrderAtPrime(O, P).larger)
 
     def is_hereditary(self) -> bool:
-        """Return whether all ideals are invertible: whether no square divides the discriminant."""
+        """Return whether all ideals are invertible, or equivalently the discriminant is squarefree."""
         factors = self.value.ambient.base.factorisation(lattice_values.discriminant(self.value))
         return all(e == 1 for _, e in factors)
 
     def ternary_theta_series(self, n: int) -> ThetaSeries:
-        """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.
+        """Return [r(0), …, r(n)], where r(m) counts the elements of norm m in the trace-0 part of ℤ + 2O.
 
         Over ℤ_K return {ν: r(ν)} as :meth:`theta_series` does. Raises :class:`IndefiniteError` and
-        :class:`TooLargeError`. It is Gross's ternary lattice ("Heights and the special values of L-series",
-        1987).
+        :class:`TooLargeError`. The lattice is Gross's ternary lattice ("Heights and the special values of
+        L-series", 1987).
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_theta_series(6)
@@ -584,10 +593,11 @@ class Order(WithStableClasses, Certified, Lattice):
         return short_elements.ternary_theta_series(self.value, n)
 
     def ternary_form(self) -> TernaryForm:
-        """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
+        """Return a form whose even Clifford algebra is this order; its discriminant is that of the order up
+        to units.
 
-        Over ℤ it is reduced where it is definite (Voight, *Quaternion Algebras*, chapter 22). Raises
-        :class:`LatticeError` for an order that is no free module, see :meth:`pseudo_basis`.
+        Over ℤ a definite form is reduced (Voight, *Quaternion Algebras*, chapter 22). Raises
+        :class:`LatticeError` for an order that is not a free module; see :meth:`pseudo_basis`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); f = O.ternary_form()
@@ -600,11 +610,11 @@ class Order(WithStableClasses, Certified, Lattice):
         return ternary_forms.form_of_order(self.value)
 
     def label(self) -> str:
-        """Return a text that is equal exactly for isomorphic orders over ℤ.
+        """Return a text that is equal for two orders over ℤ if and only if they are isomorphic.
 
-        For a definite order it is the reduced positive ternary form, for an indefinite Eichler order of level
-        N in an algebra of discriminant D it is ``D.N``. ``A.order_from_label(text)`` leads back.
-        Raises :class:`UndecidedError` for other orders, which have no label yet.
+        For a definite order it is the reduced positive ternary form; for an indefinite Eichler order of level
+        N in an algebra of discriminant D it is ``D.N``. ``A.order_from_label(text)`` is the inverse. Raises
+        :class:`UndecidedError` for other orders, which have no label yet.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra(11).maximal_order().label(), QuaternionAlgebra(6).eichler_order(5).label()
@@ -615,7 +625,7 @@ class Order(WithStableClasses, Certified, Lattice):
     # --- other orders ----------------------------------------------------------------------------
 
     def maximal_overorder(self) -> Order:
-        """Return a maximal order that contains this one, always the same.
+        """Return a maximal order that contains this one; always the same one.
 
         Raises :class:`UnfactoredError`.
         """
@@ -626,7 +636,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return Order(related_orders.gorenstein_closure(self.value))
 
     def suborders(self, prime: object, k: int = 1) -> list[Order]:
-        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for too many candidates.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
@@ -655,9 +665,10 @@ class Order(WithStableClasses, Certified, Lattice):
     def isomorphism(self, other: Lattice) -> Verdict[Quaternion]:
         """Return an answer with an ``element`` x such that x·O·x⁻¹ is the other order, or with a ``reason``.
 
-        Decided for all orders of totally definite algebras, and for R + f·Eichler orders of indefinite ones,
-        where the element may be missing; others raise :class:`UndecidedError`. Where not every ideal of the
-        field has a generator positive where an indefinite algebra ramifies, :class:`IndefiniteError`.
+        This is decided for all orders of totally definite algebras, and for orders R + f·(Eichler order) of
+        indefinite ones, in which case the element may be missing. Other orders raise :class:`UndecidedError`.
+        In an indefinite algebra, :class:`IndefiniteError` is raised if some ideal of the field has no
+        generator that is positive at the ramified real places.
         """
         return isomorphism.isomorphism(self.value, self._order_like(other).value)
 
@@ -666,22 +677,22 @@ class Order(WithStableClasses, Certified, Lattice):
         return bool(self.isomorphism(other))
 
     def _order_like(self, other: object) -> Order:
-        """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
+        """Return an order of the same algebra; it may be given as a lattice, ``x * O * x.inverse()``."""
         found = self._same(other, "compare")
         return found if isinstance(found, Order) else Order.from_lattice(found)
 
     # --- units -------------------------------------------------------------------------------------
 
     def units(self) -> tuple[Quaternion, ...]:
-        """Return all units over ℤ; over ℤ_K and 𝔽_q[t] one of each coset of the units of the base.
+        """Return all units over ℤ; over ℤ_K and 𝔽_q[t], one from each coset of the units of the base.
 
-        :meth:`units_modulo_scalars` is the same over both. Raises :class:`IndefiniteError` where they are
-        infinitely many, as in an indefinite algebra.
+        :meth:`units_modulo_scalars` returns one from each coset over every base. Raises
+        :class:`IndefiniteError` if there are infinitely many, as in an indefinite algebra.
         """
         return units.units(self.value)
 
     def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
-        """Return one unit of each coset of ℤˣ or ℤ_Kˣ. Raises as :meth:`units` does.
+        """Return one unit from each coset of ℤˣ or ℤ_Kˣ. Raises as :meth:`units` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().units_modulo_scalars())
@@ -691,7 +702,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return tuple(u for n, u in enumerate(found) if -u not in found[:n])
 
     def unit_index(self) -> int:
-        """Return [Oˣ : ±1], over ℤ_K [Oˣ : ℤ_Kˣ]. Raises as :meth:`units` does.
+        """Return the index [Oˣ : ±1], or [Oˣ : ℤ_Kˣ] over ℤ_K. Raises as :meth:`units` does.
 
         >>> from hfield import H, QuaternionAlgebra
         >>> H("QQ").hurwitz_order().unit_index(), len(H("QQ").hurwitz_order().units_modulo_scalars())
@@ -705,7 +716,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def unit_count(self) -> int:
         """Return the number of units, at most 24. Raises as :meth:`units` does.
 
-        Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
+        Over a field other than ℚ there are infinitely many, and :class:`NotFiniteError` is raised.
         """
         number = self.value.ambient.base.number_of_units
         if number is None:
@@ -718,16 +729,16 @@ class Order(WithStableClasses, Certified, Lattice):
     def unit_group(self) -> str:
         """Return the name of the group of units: ``C2 C4 C6 Q8 Dic3`` or ``SL(2,3)``.
 
-        Over ℤ_K, of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. ``"infinite"`` in an indefinite algebra: a
-        finitely presented group that is not written down.
+        Over ℤ_K it is the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. In an indefinite algebra the
+        result is ``"infinite"``.
         """
         return units.unit_group(self.value)
 
     def norm_one_group(self) -> NormOneGroup:
-        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+        """Return the units of norm 1 modulo ±1, as a group of motions of the hyperbolic plane.
 
-        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError` unless the
-        field is totally real and exactly one real place splits.
+        The group has Dirichlet domains, a signature, a presentation and words. Raises
+        :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
 
         >>> from hfield import QuaternionAlgebra, ring
         >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
@@ -744,15 +755,15 @@ class Order(WithStableClasses, Certified, Lattice):
     # --- ideals ------------------------------------------------------------------------------------
 
     def left_ideal(self, generators: Iterable[object]) -> Ideal:
-        """Return the left ideal ``O·gens``. Raises :class:`LatticeError` when its rank is below 4."""
+        """Return the left ideal ``O·gens``. Raises :class:`LatticeError` if its rank is below 4."""
         return self._generated(generators, "left")
 
     def right_ideal(self, generators: Iterable[object]) -> Ideal:
-        """Return the right ideal ``gens·O``. Raises :class:`LatticeError` when its rank is below 4."""
+        """Return the right ideal ``gens·O``. Raises :class:`LatticeError` if its rank is below 4."""
         return self._generated(generators, "right")
 
     def two_sided_ideal(self, generators: Iterable[object]) -> Ideal:
-        """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
+        """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` if its rank is below 4."""
         return self._generated(generators, "two-sided")
 
     def _generated(self, generators: Iterable[object], side: str) -> Ideal:
@@ -760,14 +771,14 @@ class Order(WithStableClasses, Certified, Lattice):
         return self._ideal(found, side)
 
     def _ideal(self, value: LatticeValue, side: str) -> Ideal:
-        """Return a lattice that is known to be an ideal of this order on a side as one."""
+        """Return a lattice, known to be an ideal of this order on a side, as an Ideal."""
         return Ideal(value, side, self)
 
     def two_sided_prime(self, prime: object) -> Ideal:
         """Return a two-sided ideal that generates, with scalars, the invertible two-sided ideals at P.
 
-        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
-        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
+        Its square is Pᵉ·O, where Pᵉ is the part of the discriminant at P; it is P·O if P does not divide the
+        discriminant. Raises :class:`LatticeError` if the order is neither maximal nor Eichler at P.
         """
         P = self.value.ambient.base.prime(prime)
         return self._ideal(ideals_of_norm.two_sided_prime(self.value, P), "two-sided")
@@ -775,8 +786,8 @@ class Order(WithStableClasses, Certified, Lattice):
     def ideals_of_norm(self, n: object, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side.
 
-        Of prime norm P, off the discriminant, they are N(P) + 1. Over ℤ_K n is an ideal or a prime of the
-        field. Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
+        For a prime norm P that does not divide the discriminant there are N(P) + 1. Over ℤ_K, n is an ideal
+        or a prime of the field. Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
 
         >>> from hfield import QuaternionAlgebra
         >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
@@ -791,7 +802,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def subideals(self, ideal: Lattice, prime: object) -> list[Ideal]:
         """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
 
-        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`LatticeError` for another
+        There are N(P) + 1 if P does not divide the discriminant. Raises :class:`LatticeError` for another
         lattice, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
@@ -810,9 +821,9 @@ class Order(WithStableClasses, Certified, Lattice):
         return [self._ideal(J, "right") for J in values]
 
     def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Ideal:
-        """Return a random ideal of norm n, prime to the discriminant, which no prime divides.
+        """Return a random primitive ideal of norm n, where n is prime to the discriminant.
 
-        All such ideals are equally likely; one seed gives one ideal. Raises :class:`LatticeError`.
+        All such ideals are equally likely; the same seed gives the same ideal. Raises :class:`LatticeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
@@ -827,7 +838,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def connecting_ideal(self, other: Lattice) -> Ideal:
         """Return the primitive integral ideal with this left order and the right order ``other``.
 
-        Raises :class:`LatticeError` unless both are Eichler orders of one level.
+        Raises :class:`LatticeError` unless both are Eichler orders of the same level.
         """
         second = self._order_like(other).value
         return self._ideal(related_orders.connecting(self.value, second), "left")
@@ -835,10 +846,10 @@ class Order(WithStableClasses, Certified, Lattice):
     # --- elements ----------------------------------------------------------------------------------
 
     def represent_integer(self, n: object, seed: int | None = None) -> Quaternion | None:
-        """Return an element of norm n, an integer of the field, or None where there is none.
+        """Return an element of norm n, an integer of the field, or None if there is none.
 
-        Over ℤ, n may have hundreds of digits. In any order of discriminant below 2²⁰ an element is found
-        where there is one. Raises :class:`IndefiniteError` unless the algebra is totally definite, and
+        Over ℤ, n may have hundreds of digits. In every order of discriminant below 2²⁰ an element is found if
+        there is one. Raises :class:`IndefiniteError` unless the algebra is totally definite, and
         :class:`UndecidedError` for a large n that was not decided.
 
         >>> from hfield import QuaternionAlgebra
@@ -851,13 +862,13 @@ class Order(WithStableClasses, Certified, Lattice):
     def strong_approximation(
         self, x: object, modulus: object, number: object, seed: int = 0
     ) -> Quaternion:
-        """Return μ ≡ λ·x modulo N·O, for some number λ prime to N, whose norm divides a smooth number T.
+        """Return μ ≡ λ·x modulo N·O, for some integer λ prime to N, whose norm divides a smooth number T.
 
-        The order is p-extremal, N an odd prime, and x = (C + D·s)·β as :meth:`Ideal.ideal_mod_constraint`
-        returns it (StrongApproximation of KLPT). T is to be above p·N³. Raises :class:`LatticeError` for
-        others, :class:`NoSolutionError` where all divisors of T were tried, as for p·N³ < 2²⁰ or small T, and
-        :class:`UndecidedError` with the size of T that is needed; where no norm that divides T is λ²·N(x)
-        modulo N, another γ helps.
+        This is StrongApproximation of KLPT. The order is p-extremal, N is an odd prime, and x = (C + D·s)·β
+        is a result of :meth:`Ideal.ideal_mod_constraint`. T should be larger than p·N³. Raises
+        :class:`LatticeError` for other arguments; :class:`NoSolutionError` if all divisors of T were tried,
+        as for p·N³ < 2²⁰ or small T; and :class:`UndecidedError`, with the size of T that is needed. If no
+        divisor of T is λ²·N(x) modulo N, try another γ.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1013, seed=1)
@@ -872,9 +883,9 @@ class Order(WithStableClasses, Certified, Lattice):
     def modulo(self, n: object, factors: Factors | None = None) -> ResidueMatrices:
         """Return an isomorphism M of O/NO with M₂(ℤ/N), for N prime to the discriminant.
 
-        M(x) is a matrix, ``M.lift`` leads back, ``M.ideal(v)`` is the left ideal of the x with M(x)·v = 0 and
-        ``M.kernel(I)`` is v. ``factors`` are the primes of N where it is too large to be factored. Raises
-        :class:`LatticeError`, also over another field than ℚ, and :class:`UnfactoredError`.
+        M(x) is a matrix, ``M.lift`` is the inverse, ``M.ideal(v)`` is the left ideal of all x with M(x)·v =
+        0, and ``M.kernel(I)`` returns v. ``factors`` are the primes of N, if N is too large to be factored.
+        Raises :class:`LatticeError`, also over fields other than ℚ, and :class:`UnfactoredError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); M = O.modulo(5)
@@ -885,14 +896,14 @@ class Order(WithStableClasses, Certified, Lattice):
         return ResidueMatrices(self, n, factors)
 
     def factor(self, x: object, primes: Iterable[object]) -> tuple[Quaternion, list[Quaternion]]:
-        """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, u a unit, and norms N(πₙ) that are the given primes.
+        """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, where u is a unit and the norms of the factors are
+        ``primes``.
 
-        The primes come in any order, each as often as it divides the norm of x (Conway and Smith, *On
-        Quaternions and Octonions*, chapter 5). Over ℤ_K they are prime ideals, or numbers that generate them;
-        N(πₙ) generates the ideal, and is the number itself where that is totally positive and units of the
-        order allow it. In an indefinite algebra over ℚ it is the prime up to its sign. Raises
-        :class:`LatticeError` where norms do not match, or an ideal of prime norm is not principal, and
-        :class:`UndecidedError`.
+        The primes may come in any order, each as often as it divides the norm of x (Conway and Smith, *On
+        Quaternions and Octonions*, chapter 5). Over ℤ_K they are prime ideals, or generators of them. N(πₙ)
+        generates the ideal; it is the given number if that is totally positive and the units of the order
+        allow it. In an indefinite algebra over ℚ it is the prime up to sign. Raises :class:`LatticeError` if
+        norms do not match or an ideal of prime norm is not principal, and :class:`UndecidedError`.
 
         >>> from hfield import H
         >>> O = H("QQ").hurwitz_order(); u, factors = O.factor("3 + 5*i + j", [5, 7])
@@ -902,12 +913,12 @@ class Order(WithStableClasses, Certified, Lattice):
         return element_factors.factor(self.value, x, primes)
 
     def embeddings(self, discriminant: object) -> Embeddings:
-        """Return the optimal embeddings of the quadratic order of a discriminant d.
+        """Return the optimal embeddings of the quadratic order of discriminant d.
 
-        In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
-        nonsquare discriminant; ``representatives`` has one embedding of each orbit under the units of
-        norm 1. Raises :class:`LatticeError` for
-        what is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
+        In a definite algebra d must be totally negative. In an algebra that splits at exactly one real place
+        d is any nonsquare discriminant, and ``representatives`` has one embedding for each orbit under the
+        units of norm 1. Raises :class:`LatticeError` for other d, :class:`IndefiniteError` for other
+        algebras, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
@@ -956,10 +967,10 @@ class Order(WithStableClasses, Certified, Lattice):
         """Return the invertible right ideal classes, complete by the mass formula.
 
         An executor, such as a ``ProcessPoolExecutor``, computes neighbours in parallel; the order of the
-        classes does not depend on it. With a file classes and rows of :meth:`ClassSet.neighbour_counts` are
-        appended to it as they are found, and those that are in it are read: a run that was interrupted goes
-        on. Raises :class:`IndefiniteError` unless the algebra is totally definite; see
-        :meth:`classes_by_norm`.
+        classes does not depend on it. If a file is given, classes and rows of
+        :meth:`ClassSet.neighbour_counts` are read from it and appended to it as they are found, so that an
+        interrupted run can resume. Raises :class:`IndefiniteError` unless the algebra is totally definite;
+        see :meth:`classes_by_norm`.
         """
         if not self.is_definite():
             ambient = self.value.ambient
@@ -973,10 +984,10 @@ class Order(WithStableClasses, Certified, Lattice):
         return ClassSet(self, executor, None if file is None else ClassFile(file))
 
     def classes_by_norm(self) -> IndefiniteClassSet:
-        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
+        """Return the right ideal classes, with representatives, if the algebra splits at an infinite place.
 
-        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
-        not have all norms.
+        Raises :class:`IndefiniteError` for a totally definite algebra, and if some local unit of the base is
+        not the norm of a local unit of the order.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
@@ -992,7 +1003,7 @@ class Order(WithStableClasses, Certified, Lattice):
         return stable_classes(self.value)
 
     def mass(self) -> Fraction:
-        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ], over ℤ modulo ±1, over the right ideal classes, by a formula.
+        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] (over ℤ, modulo ±1) over the right ideal classes, by a formula.
 
         Raises :class:`IndefiniteError`.
         """
@@ -1007,7 +1018,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
 
 class Ideal(Certified, Lattice):
-    """A lattice with ``O·I = I`` for the order O (``side="left"``), or ``I·O = I``, or both.
+    """A lattice I with ``O·I = I`` for the order O (``side="left"``), or ``I·O = I``, or both.
 
     >>> from hfield import QuaternionAlgebra
     >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
@@ -1035,9 +1046,9 @@ class Ideal(Certified, Lattice):
 
     @classmethod
     def generated(cls, order: Order, generators: Iterable[object], side: str) -> Self:
-        """Return the ideal of an order that elements generate on a side.
+        """Return the ideal of an order generated by elements on a side.
 
-        Raises :class:`LatticeError` when its rank is below 4.
+        Raises :class:`LatticeError` if its rank is below 4.
         """
         return cls(
             lattice_values.generated_ideal(order.value, listed(generators), side), side, order
@@ -1045,12 +1056,12 @@ class Ideal(Certified, Lattice):
 
     @classmethod
     def of(cls, lattice: Lattice, side: str, order: Order | None = None) -> Self:
-        """Return a lattice as an ideal of its left or right order, which may be given."""
+        """Return a lattice as an ideal of its left or right order; the order may be passed if it is known."""
         return cls(lattice.value, side, order)
 
     @classmethod
     def like(cls, lattice: Lattice, order: Order, side: str) -> Self:
-        """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
+        """Return a lattice as an ideal of an order. Raises :class:`LatticeError` if it is not one."""
         value, product = lattice.value, lattice_values.product
         on_left = side == "right" or product(order.value, value) == value
         on_right = side == "left" or product(value, order.value) == value
@@ -1105,7 +1116,7 @@ class Ideal(Certified, Lattice):
     # --- arithmetic ------------------------------------------------------------------------------
 
     def _result_with(self, other: Lattice, value: LatticeValue) -> Lattice:
-        """Return it as an ideal where both are ideals of one order on one side."""
+        """Return the result as an ideal if both operands are ideals of one order on one side."""
         if isinstance(other, Ideal):
             side = self.side if other.side == "two-sided" else other.side
             if self.side in (side, "two-sided") and self.order == other.order:
@@ -1145,7 +1156,7 @@ class Ideal(Certified, Lattice):
         return Ideal.of(found, "left")
 
     def primitive_part(self) -> tuple[Ideal, ShownIdeal]:
-        """Return (J, m) with I = m·J, where J is integral and primitive; m is an int or an ideal.
+        """Return (J, m) with I = m·J and J integral and primitive; m is an int or an ideal.
 
         Raises :class:`LatticeError` unless the ideal is integral.
 
@@ -1167,7 +1178,8 @@ class Ideal(Certified, Lattice):
     def pushforward(self, other: Ideal) -> Ideal:
         """Return ``I⁻¹·(I ∩ J)`` for J = other: a left ideal of the right order of I, of norm N(J).
 
-        Both are left ideals of one order, of coprime norms, else :class:`LatticeError` (Leroux, 2022).
+        Both must be left ideals of one order, of coprime norms; otherwise :class:`LatticeError` is raised
+        (Leroux, 2022).
         """
         self._joint(other)
         self._coprime(other)
@@ -1178,7 +1190,7 @@ class Ideal(Certified, Lattice):
         )
 
     def pullback(self, other: Ideal) -> Ideal:
-        """Return ``I·J + N(J)·O``, the ideal whose pushforward by I is J, a left ideal of O_R(I)."""
+        """Return ``I·J + N(J)·O``, the ideal whose pushforward by I is J; J is a left ideal of O_R(I)."""
         if self.side == "right" or other.side == "right" or other.order != self.right_order():
             raise LatticeError(
                 "the pullback along a left ideal I is defined for left ideals of the right order of I"
@@ -1214,7 +1226,7 @@ class Ideal(Certified, Lattice):
 
     @cached_property
     def claim(self) -> CertifiedClaim:
-        """The claim to certify: a statement with its evidence."""
+        """The claim of a certificate: a statement with its evidence."""
         return certificates.of_ideal(self.value, self.side, self.order.value)
 
     @property
@@ -1232,12 +1244,13 @@ class Ideal(Certified, Lattice):
     # --- classes ---------------------------------------------------------------------------------
 
     def equivalence(self, other: Ideal) -> Verdict[Quaternion]:
-        """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
+        """Return an answer with ``element`` c such that J = I·c for left ideals, or J = c·I for right ideals.
 
-        Two-sided ideals are compared as left ones, or on the side of the other. Where there is none the
-        answer is false, and ``reason`` says why. In an indefinite algebra a theorem may decide, and the
-        element be missing: it is looked for where one real place splits and no other infinite one. Raises
-        :class:`LatticeError` for ideals of different orders or sides, and :class:`UndecidedError`.
+        A two-sided ideal is compared as a left ideal, or on the side of the other ideal. If they are not
+        equivalent the answer is false, with a ``reason``. In an indefinite algebra a theorem may decide
+        without an element; the element is searched for only if exactly one infinite place splits and it is
+        real. Raises :class:`LatticeError` for ideals of different orders or sides, and
+        :class:`UndecidedError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
@@ -1254,15 +1267,17 @@ class Ideal(Certified, Lattice):
         return bool(self.equivalence(other))
 
     def is_principal(self) -> Verdict[Quaternion]:
-        """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
+        """Return an answer with a generator c as ``element``: I = O·c for a left ideal, I = c·O for a right
+        ideal.
+        """
         order = self.order.value
         return equivalence.equivalence(order, self.value, order, self.side)
 
     @cached_property
     def generators(self) -> tuple[ShownIdeal, Quaternion]:
-        """Two generators, a number n and an element x: I = O·n + O·x, for a right ideal n·O + x·O.
+        """Two generators, a number n and an element x: I = O·n + O·x, or n·O + x·O for a right ideal.
 
-        Over ℤ_K n is an ideal of the field. The lattice that they generate is computed and compared with I.
+        Over ℤ_K, n is an ideal of the field. The lattice that they generate is computed and compared with I.
         Raises :class:`LatticeError` for an ideal that is not invertible.
 
         >>> from hfield import QuaternionAlgebra
@@ -1276,10 +1291,10 @@ class Ideal(Certified, Lattice):
         return ideal_generators.two_generators(self.value, self.order.value, self.side)
 
     def reduced_equivalent(self) -> EquivalentIdeal:
-        """Return the integral ideal J of least norm that is equivalent to I, with ``J.element`` c.
+        """Return an integral ideal J of least norm equivalent to I, with c as ``J.element``.
 
-        J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a shortest x in I. Raises
-        :class:`LatticeError` for an ideal that is not invertible, or over another field than ℚ, and
+        J = I·c for a left ideal, c·I for a right ideal, with c = conj(x)/N(I) for a shortest x in I. Raises
+        :class:`LatticeError` for an ideal that is not invertible or over a field other than ℚ, and
         :class:`IndefiniteError`.
 
         >>> from hfield import QuaternionAlgebra
@@ -1307,20 +1322,21 @@ class Ideal(Certified, Lattice):
             )
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
-        """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
+        """Return (J, c), where J is equivalent to I and has the least prime norm not in ``avoid``.
 
-        J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
-        (Kohel, Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over another field than ℚ.
+        J = I·c for a left ideal, c·I for a right ideal, with c = conj(x)/N(I) for a short x in I (Kohel,
+        Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over fields other than ℚ.
         """
         _expect_rational(self, "equivalent_of_prime_norm()")
         return self._with_conjugate(klpt.to_prime_norm(self.value, frozenset(avoid))).pair
 
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
-        """Return (J, c, e) with J equivalent to I of norm primeᵉ, by KLPT; c as for :meth:`equivalence`.
+        """Return (J, c, e), where J is equivalent to I and has norm primeᵉ, by KLPT; c is as in
+        :meth:`equivalence`.
 
-        It starts from a maximal order in an algebra of prime discriminant p. From a p-extremal order the norm
-        is about p³, from others, through connecting ideals, about p⁶. Raises :class:`LatticeError` for
-        another order, or over another field than ℚ, and :class:`UndecidedError`.
+        I must be an ideal of a maximal order in an algebra of prime discriminant p. The norm is about p³ for
+        a p-extremal order, and about p⁶ for others, which use connecting ideals. Raises :class:`LatticeError`
+        for another order or over a field other than ℚ, and :class:`UndecidedError`.
         """
         _expect_rational(self, "equivalent_of_power_norm()")
         left = self._as_left
@@ -1330,14 +1346,15 @@ class Ideal(Certified, Lattice):
     def equivalent_of_norm_dividing(
         self, number: object, seed: int = 0
     ) -> tuple[Ideal, Quaternion, int]:
-        """Return (J, c, n) with J equivalent to I of a norm n that divides a smooth number T: KLPT.
+        """Return (J, c, n), where J is equivalent to I and its norm n divides a smooth number T, by KLPT.
 
-        c is as for :meth:`equivalence`. I is an ideal of a maximal order. Norms of moderate size are tried
-        first, the least one wins. KLPT needs T > p³ for a p-extremal order and, through connecting ideals,
-        T > p⁶ for others. For p < 2²⁰ small divisors of T are decided by a complete enumeration, and larger
-        ones are found. Raises :class:`LatticeError` for another order, or over another field than ℚ,
-        :class:`NoEquivalentIdealError` where all divisors were tried and none is a norm, and
-        :class:`UndecidedError` where not all were, both with the size of T that is needed.
+        c is as in :meth:`equivalence`, and I must be an ideal of a maximal order. Norms of moderate size are
+        tried first, and the least one is returned. KLPT needs T > p³ for a p-extremal order, and T > p⁶ for
+        other orders, which use connecting ideals. For p < 2²⁰ small divisors of T are decided by complete
+        enumeration, and larger ones are found. Raises :class:`LatticeError` for another order or over a field
+        other than ℚ; :class:`NoEquivalentIdealError` if all divisors were tried and none is a norm;
+        :class:`UndecidedError` if not all were tried. The last two messages give the size of T that is
+        needed.
 
         >>> from hfield import QuaternionAlgebra
         >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
@@ -1355,12 +1372,14 @@ class Ideal(Certified, Lattice):
     def equivalent_pair(
         self, total: object, seed: int = 0
     ) -> tuple[tuple[Ideal, Quaternion], tuple[Ideal, Quaternion]]:
-        """Return ((J₁, c₁), (J₂, c₂)), equivalent to I, of coprime norms with the sum ``total``: Qlapoti.
+        """Return ((J₁, c₁), (J₂, c₂)): two ideals equivalent to I with coprime norms of sum ``total``
+        (Qlapoti).
 
-        c₁ and c₂ are as for :meth:`equivalence`. The order is p-extremal, or maximal for p < 2⁴⁰, where a
-        search finds the pair; the total is to be at least about 2p (Borin et al., ePrint 2025/1604). Raises
-        :class:`LatticeError` for another order, or over another field than ℚ, and for smaller totals
-        :class:`NoEquivalentIdealError` where all smaller norms were listed, else :class:`UndecidedError`.
+        c₁ and c₂ are as in :meth:`equivalence`. The order must be p-extremal, or maximal with p < 2⁴⁰; in the
+        latter case a search finds the pair. The total should be at least about 2p (Borin et al., ePrint
+        2025/1604). Raises :class:`LatticeError` for another order or over a field other than ℚ. For smaller
+        totals, raises :class:`NoEquivalentIdealError` if all smaller norms were listed, else
+        :class:`UndecidedError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
@@ -1376,7 +1395,7 @@ class Ideal(Certified, Lattice):
 
     @property
     def _as_left(self) -> LatticeValue:
-        """The ideal where it is a left one, else its conjugate."""
+        """The ideal if it is a left ideal, else its conjugate."""
         return lattice_values.conjugate(self.value) if self.side == "right" else self.value
 
     def _from_left(self, x: Quaternion) -> EquivalentIdeal:
@@ -1386,8 +1405,8 @@ class Ideal(Certified, Lattice):
     def ideal_mod_constraint(self, gamma: object) -> Quaternion:
         """Return μ = (C + D·s)·β with γ·μ in I, for a left ideal of prime norm of a p-extremal order.
 
-        s² is the discriminant of the small quadratic order R, and β is orthogonal to R, of norm p
-        (IdealModConstraint of KLPT). The norm of γ is a multiple of the norm of I. Raises
+        s² is the discriminant of the small quadratic order R, and β, of norm p, is orthogonal to R
+        (IdealModConstraint of KLPT). The norm of γ must be a multiple of the norm of I. Raises
         :class:`LatticeError` for other ideals and elements.
 
         >>> from hfield import QuaternionAlgebra
@@ -1421,7 +1440,7 @@ class Ideal(Certified, Lattice):
 
 
 class EquivalentIdeal(Ideal):
-    """An ideal J equivalent to I: with ``element`` c, J = I·c for left ideals and c·I for right ones."""
+    """An ideal J equivalent to I, with ``element`` c: J = I·c for left ideals, J = c·I for right ideals."""
 
     def __init__(self, value: LatticeValue, side: str, order: Order, element: Quaternion) -> None:
         super().__init__(value, side, order)
@@ -1429,7 +1448,7 @@ class EquivalentIdeal(Ideal):
 
     @property
     def pair(self) -> tuple[Ideal, Quaternion]:
-        """The ideal alone, and the element."""
+        """The ideal J, without the attribute ``element``, and the element c."""
         return Ideal(self.value, self.side, self.order), self.element
 
     @property
@@ -1438,7 +1457,7 @@ class EquivalentIdeal(Ideal):
 
 
 def _expect_rational(lattice: Lattice, what: str) -> None:
-    """Raise :class:`LatticeError` where the base is not ℤ."""
+    """Raise :class:`LatticeError` unless the base is ℤ."""
     expect_rational(
         lattice.value.ambient.base,
         LatticeError(
@@ -1449,7 +1468,7 @@ def _expect_rational(lattice: Lattice, what: str) -> None:
 
 
 def _is_scalar(x: object) -> bool:
-    """Return whether x acts on a lattice as a scalar or as an ideal of the field."""
+    """Return whether x acts on a lattice as a scalar or an ideal of the field."""
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
 
 
@@ -1482,7 +1501,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, an integral right ideal; class 0 is that of O.
 
-        It is primitive where the base has class number 1.
+        It is primitive if the base has class number 1.
         """
         lattice = self._classes.lattice(self._checked(n))
         factor = lattice_values.scalars_into(lattice, self.order.value)
@@ -1504,7 +1523,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return (I.conjugate() for I in self)
 
     def left_orders(self) -> list[Order]:
-        """Return the left orders of the representatives, one a class."""
+        """Return the left orders of the representatives, one per class."""
         return [I.left_order() for I in self]
 
     def index(self, ideal: object) -> int:
@@ -1518,19 +1537,23 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @property
     def mass(self) -> Fraction:
-        """Σ 1/[O_L(I)ˣ : Rˣ] over the classes, R being the integers of the base; over ℤ modulo ±1."""
+        """The sum Σ 1/[O_L(I)ˣ : Rˣ] over the classes, where R is the ring of integers of the base; over ℤ,
+        modulo ±1.
+        """
         return self._classes.mass
 
     @property
     def units(self) -> list[int]:
-        """[O_L(I)ˣ : Rˣ] for each class, R being the integers of the base; over ℤ modulo ±1."""
+        """The index [O_L(I)ˣ : Rˣ] for each class, where R is the ring of integers of the base; over ℤ,
+        modulo ±1.
+        """
         return list(self._classes.units)
 
     @property
     def unit_counts(self) -> list[int]:
         """The number of units of the left order of each class.
 
-        Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
+        Over a field other than ℚ there are infinitely many, and :class:`NotFiniteError` is raised.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra(11).maximal_order().class_set(); C.unit_counts, C.units
@@ -1546,7 +1569,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @property
     def types(self) -> list[int]:
-        """The number of the type of each class: which left orders are isomorphic."""
+        """The type of each class, as a number: classes with isomorphic left orders have the same type."""
         return list(self._classes.types)
 
     @property
@@ -1555,7 +1578,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return len(set(self._classes.types))
 
     def labels(self) -> list[str]:
-        """Return the label of the left order of each class, equal exactly for classes of one type.
+        """Return the label of the left order of each class; classes have the same label if and only if the
+        same type.
 
         Raises as :meth:`Order.label` does.
 
@@ -1566,9 +1590,9 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return [str(self._form_of_type[kind]) for kind in self._classes.types]
 
     def types_by_label(self) -> dict[str, list[int]]:
-        """Return the classes of each type, as lists of numbers, by the labels of types and in their order.
+        """Return the numbers of the classes of each type, as a dict from labels, ordered by label.
 
-        Labels are in the order of the coefficients of the forms, of x², y², z², yz, xz and xy. Raises as
+        Labels are ordered by the coefficients of the forms, in the order x², y², z², yz, xz, xy. Raises as
         :meth:`Order.label` does.
 
         >>> from hfield import QuaternionAlgebra
@@ -1606,13 +1630,13 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     # --- Brandt matrices -----------------------------------------------------------------------------
 
     def neighbour_counts(self, prime: object, *, executor: Executor | None = None) -> SparseRows:
-        """Return the Brandt matrix of a prime row by row, as dicts {class: count}.
+        """Return the Brandt matrix of a prime as rows of dicts {class: count}.
 
-        Row i counts the right ideals of relative norm P in I_i by their classes, where there are any. The
-        memory is linear in the number of classes: the rows are a sequence with the method ``times(values)``,
-        and ``arrays`` for scipy. An executor, such as a ``ProcessPoolExecutor``, computes rows in parallel;
-        they do not depend on it. Raises :class:`LatticeError` for what is not a prime, :class:`TooLargeError`
-        where there are too many.
+        Row i counts the right ideals of relative norm P in I_i by class; zero counts are omitted. The memory
+        is linear in the number of classes: the rows are a sequence with the method ``times(values)``, and
+        ``arrays`` for scipy. An executor, such as a ``ProcessPoolExecutor``, computes rows in parallel; the
+        result does not depend on it. Raises :class:`LatticeError` unless the argument is a prime, and
+        :class:`TooLargeError` if there are too many neighbours.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra(37).maximal_order().class_set()
@@ -1626,7 +1650,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return list(map(Counter, self.neighbour_counts(prime)))
 
     def neighbours_of(self, n: int, prime: object) -> Counter[int]:
-        """Return the row of class n alone, as a counter.
+        """Return the row of class n as a counter.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra(11).maximal_order().class_set().neighbours_of(0, 2)
@@ -1635,27 +1659,28 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return self._classes.neighbours_of(self._checked(n), self._base.prime(prime))
 
     def power_neighbours(self, prime: object, e: int) -> list[Counter[int]]:
-        """Return for each class how many right ideals of relative norm Pᵉ in it belong to which class."""
+        """Return, for each class, the numbers of right ideals of relative norm Pᵉ inside it, by class."""
         P = self._base.prime(prime)
         matrix = brandt.prime_power(self._classes, P, natural(e, "the exponent is"))
         return list(map(Counter, brandt.sparse(matrix)))
 
     def brandt_matrix(self, norm: object) -> list[list[int]]:
-        """Return the Brandt matrix of a norm: entry (i, j) counts the ideals of class j of that norm in I_i.
+        """Return the Brandt matrix of a norm: entry (i, j) counts the ideals of this norm in I_i that lie in
+        class j.
 
-        They are the invertible ideals of that relative norm, an ideal of the base or a number that generates
-        it. Over ℤ entry (i, j) times the units of j is entry (j, i) times those of i (Pizer, 1980; Gross,
-        1987). Raises :class:`LatticeError` for what is no integral ideal, and :class:`TooLargeError` for some
-        ten thousand classes, see :meth:`neighbour_counts`.
+        The ideals are invertible and have this relative norm, which is an ideal of the base or a number that
+        generates it. Over ℤ, entry (i, j) times the number of units of j is entry (j, i) times that of i
+        (Pizer, 1980; Gross, 1987). Raises :class:`LatticeError` unless the norm is an integral ideal, and
+        :class:`TooLargeError` from some ten thousand classes on; see :meth:`neighbour_counts`.
         """
         return brandt.brandt_lists(self._classes, self._base.integral_ideal(norm))
 
     def hecke_polynomial(self, norm: object, weight: int = 2) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
-        With an even weight k > 2 it is that of the Hecke operator on all forms of weight k, of any unramified
-        character. Raises :class:`LatticeError` for other weights, and there for orders that are not Eichler;
-        :class:`TooLargeError` as :meth:`brandt_matrix` does.
+        For an even weight k > 2 it is the polynomial of the Hecke operator on all forms of weight k, of any
+        unramified character. Raises :class:`LatticeError` for other weights, and for weights k > 2 also if
+        the order is not Eichler; raises :class:`TooLargeError` as :meth:`brandt_matrix` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra(3).maximal_order().class_set()
@@ -1670,7 +1695,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return functions.hecke_polynomial(ideal)
 
     def hecke_operator(self, norm: object, values: Sequence[ValueT]) -> list[ValueT | int]:
-        """Return the Brandt matrix of a norm times a function on the classes, given by its values.
+        """Return the Brandt matrix of a norm applied to a function on the classes, given by its values.
 
         Raises :class:`LatticeError` unless there is a value for each class.
 
@@ -1686,8 +1711,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def theta_series(self, i: int, j: int, n: int) -> ThetaSeries:
         """Return the theta series of the lattice I_i·I_j⁻¹, as :meth:`Lattice.theta_series` does.
 
-        Over ℤ its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m.
-        Raises :class:`LatticeError` where there are fewer classes.
+        Over ℤ its coefficient m, divided by the number of units of class j, is entry (i, j) of the Brandt
+        matrix of m. Raises :class:`LatticeError` if i or j is not the number of a class.
         """
         h = len(self)
         if not (-h <= i < h and -h <= j < h):
@@ -1708,11 +1733,11 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def graph(self, prime: object) -> list[tuple[int, int, dict[str, int | Fraction]]]:
         """Return the edges of the graph of P-neighbours as a list that ``networkx.DiGraph`` reads.
 
-        ``weight`` is the multiplicity: how many right ideals of relative norm P in class i belong to class j,
-        so that the weighted adjacency matrix is the Brandt matrix. ``mass`` is the multiplicity divided by
-        entry i of :attr:`units`, and the same in both directions. For a maximal order of prime
-        discriminant over ℤ it is the supersingular isogeny graph, up to Galois conjugation of the vertices
-        (Deuring). Raises as :meth:`neighbour_counts` does.
+        ``weight`` is the number of right ideals of relative norm P in class i that belong to class j, so that
+        the weighted adjacency matrix is the Brandt matrix. ``mass`` is this number divided by entry i of
+        :attr:`units`; it is the same in both directions. For a maximal order of prime discriminant over ℤ
+        this is the supersingular isogeny graph, up to Galois conjugation of the vertices (Deuring). Raises as
+        :meth:`neighbour_counts` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> for edge in QuaternionAlgebra(11).maximal_order().class_set().graph(2): print(*edge)
@@ -1732,7 +1757,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def claim_of_newforms(
         self, weight: int = 2, norm: int = 20, signs: bool = False
     ) -> CertifiedClaim:
-        """Return the newforms and their eigenvalues at primes of norm up to a bound, as a statement.
+        """Return the claim of the newforms and their eigenvalues at primes of norm up to a bound.
 
         With ``signs`` it contains the primes of the level and the discriminant, and the signs there.
         Its evidence is checked over ℚ in weights up to 100, and over totally real fields in weight 2. Raises
@@ -1750,7 +1775,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def evidence(self) -> dict[str, object]:
         """The evidence for the class set: representatives, units, and the mass.
 
-        Units are counted as :attr:`unit_counts` counts them over ℤ, and as :attr:`units` over other bases.
+        Units are counted as in :attr:`unit_counts` over ℤ, and as in :attr:`units` over other bases.
         """
         base = self._base
         counts = [(base.number_of_units or 1) * count for count in self.units]
@@ -1767,7 +1792,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         }
 
     def text_for(self, system: str) -> str:
-        """Write the representatives as a list of right ideals in code of another system.
+        """Return the representatives as a list of right ideals in the code of another system.
 
         ``A.read(text)`` returns the list. Raises as :meth:`Lattice.text_for` does.
 
@@ -1788,11 +1813,11 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @cached_property
     def _modules(self) -> dict[int, Module]:
-        """The modules of :meth:`_functions`, by weights."""
+        """The modules of :meth:`_functions`, by weight."""
         return {}
 
     def _functions(self, weight: int) -> Module:
-        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
+        """Return the module of functions on the classes with its Hecke operators, for an even weight."""
         if weight not in self._modules:
             make = self._classes_of_level
             self._modules[weight] = (
@@ -1804,17 +1829,17 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     @cached_property
     def _classes_of_level(self) -> Callable[[BaseIdeal], Classes]:
-        """The classes of Eichler orders of the same algebra, by their levels."""
+        """The classes of Eichler orders of the same algebra, by level."""
         return EichlerClasses(self.order.algebra)
 
     def rational_newforms(self, *, executor: Executor | None = None) -> list[RationalNewform]:
-        """Return all newforms of weight 2 with rational eigenvalues, also at large level.
+        """Return all newforms of weight 2 with rational eigenvalues; this works at large levels too.
 
-        Each is a function on the classes, ``f.values``, with ``f.signs`` of Atkin and Lehner; ``f[P]`` takes
-        N(P) + 1 look-ups. Time is quadratic in the number of classes and memory linear: 8 000 classes take
-        two seconds. Only sparse rows of neighbours are read, which the executor computes. Raises
-        :class:`LatticeError` unless the level is squarefree, and :class:`UndecidedError` where it is not
-        proved that there are no more; see :meth:`newforms` for other levels.
+        Each newform is a function on the classes, ``f.values``, with Atkin–Lehner signs ``f.signs``; ``f[P]``
+        takes N(P) + 1 look-ups. The time is quadratic in the number of classes and the memory linear: 8 000
+        classes take two seconds. Only sparse rows of neighbours are read, which the executor computes. Raises
+        :class:`LatticeError` unless the level is squarefree, and :class:`UndecidedError` if it is not proved
+        that the list is complete; see :meth:`newforms` for other levels.
 
         >>> from hfield import QuaternionAlgebra
         >>> f, = QuaternionAlgebra(389).maximal_order().class_set().rational_newforms()
@@ -1826,7 +1851,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return rational_newforms(self._classes, self._classes_of_level, executor)
 
     def latex(self) -> str:
-        """Write the number of classes and the mass in LaTeX."""
+        """Return the number of classes and the mass in LaTeX."""
         mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
         return rf"h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}"
 

@@ -12,13 +12,13 @@ from hfield.fields.rationals.whole_numbers import sqrt_mod
 
 
 def echelon(rows: Sequence[Sequence[int]], p: int) -> list[list[int]]:
-    """Return the rows of the reduced echelon form modulo a prime that are not 0."""
+    """Return the nonzero rows of the reduced echelon form modulo a prime."""
     found, rank = fmpz_mod_mat([list(row) for row in rows], fmpz_mod_ctx(p)).rref()
     return [[int(x) for x in row] for row in found.tolist()[:rank]]
 
 
 def lead(row: Sequence[int], p: int) -> int:
-    """Return the first column where a row is not 0 modulo p, or the number of columns."""
+    """Return the first column with a nonzero entry modulo p, or the number of columns."""
     return next((n for n, x in enumerate(row) if x % p), len(row))
 
 
@@ -39,7 +39,7 @@ def kernel(rows: fmpz_mat | Sequence[Sequence[int]], p: int) -> list[list[int]]:
 
 
 def roots(a: int, b: int, c: int, p: int) -> list[int]:
-    """Return the roots of ``a·x² + b·x + c`` modulo a prime, where it is no constant."""
+    """Return the roots of ``a·x² + b·x + c`` modulo a prime; the polynomial must not be constant."""
     if p == 2:
         return [x for x in (0, 1) if (a * x + b * x + c) % 2 == 0]
     if a % p == 0:
@@ -77,5 +77,5 @@ def kronecker(d: int, p: int) -> int:
 
 
 def rational_residue(x: flint.fmpq, p: int) -> int:
-    """Return the residue modulo p of a rational number whose denominator is prime to p."""
+    """Return the residue modulo p of a rational number with denominator prime to p."""
     return int(x.p) * pow(int(x.q), -1, p) % p

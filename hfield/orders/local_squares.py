@@ -16,7 +16,7 @@ def is_square_modulo(d: int, p: int, e: int) -> bool:
 
 
 def is_maximal_at(d: int, p: int) -> bool:
-    """Return whether the quadratic order of discriminant d is maximal at p: p does not divide its
+    """Return whether the quadratic order of discriminant d is maximal at p, that is, p does not divide its
     conductor.
     """
     return d % (p * p) != 0 or d // (p * p) % 4 > 1

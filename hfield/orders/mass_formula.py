@@ -1,7 +1,7 @@
 """The mass formula, and Eichler's class number formula: class numbers without enumeration.
 
-The mass is ``Σ 1/[O_L(I)^× : ±1]`` over the ideal classes (Voight, *Quaternion Algebras*, theorem 26.1.5),
-and Eichler's class number formula adds the contribution of orders with units other than ±1 (30.1.5).
+The mass is ``Σ 1/[O_L(I)^× : ±1]`` over the ideal classes (Voight, *Quaternion Algebras*, theorem 26.1.5).
+Eichler's class number formula adds the contribution of orders with units other than ±1 (30.1.5).
 """
 
 from __future__ import annotations
@@ -29,9 +29,10 @@ def eichler_mass(discriminant: int, level: int) -> Fraction:
 
 
 def mass(order: LatticeValue) -> Fraction:
-    """Return Σ 1/[O_L(I)ˣ : Rˣ] over the invertible right ideal classes, R being the integers of the base.
+    """Return Σ 1/[O_L(I)ˣ : Rˣ] over the invertible right ideal classes; R is the ring of integers of the
+    base.
 
-    It is 2^(1−n)·|ζ_K(−1)|·h_K·N(discrd)·Π λ(O, P), λ from Eichler symbols (Voight, 26.1.5). Raises
+    It is 2^(1−n)·|ζ_K(−1)|·h_K·N(discrd)·Π λ(O, P), with λ from Eichler symbols (Voight, 26.1.5). Raises
     :class:`IndefiniteError`, :class:`TooLargeError`.
     """
     base, whole = order.ambient.base, discriminant(order)
@@ -51,8 +52,8 @@ def local_factor(symbol: int | None, p: int) -> Fraction:
 def class_number(discriminant: int, level: int) -> int:
     """Return the number of right ideal classes of an Eichler order of a definite algebra.
 
-    Raises :class:`LatticeError` for a discriminant that is no product of an odd number of primes, or
-    a level that is not prime to it.
+    Raises :class:`LatticeError` unless the discriminant is a product of an odd number of primes and the level
+    is prime to it.
     """
     primes = factorise(discriminant)
     powers = factorise(level)
@@ -78,7 +79,7 @@ def class_number(discriminant: int, level: int) -> int:
 def class_number_by_formula(order: LatticeValue) -> int | None:
     """Return the number of right ideal classes of a definite Eichler order, by Eichler's formula over ℤ.
 
-    It is None over other bases, where the formula needs class numbers of quadratic extensions.
+    It returns None over other bases, where the formula needs class numbers of quadratic extensions.
     """
     return order.ambient.kernels.choose(_no_formula, rank4=_by_formula)(order)
 

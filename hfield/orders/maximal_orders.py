@@ -1,4 +1,4 @@
-"""Maximal orders that contain a given order, the Eichler orders inside one, and ideals from zero divisors."""
+"""Maximal orders containing a given order, Eichler orders inside one, and ideals from zero divisors."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ Factors = list[tuple[Prime, int]]
 
 
 def overorder(order: LatticeValue) -> LatticeValue:
-    """Return a maximal order that contains the given one, always the same."""
+    """Return a maximal order that contains the given one; always the same one."""
     for prime, e in order.ambient.base.factorisation(level(order)):
         order = maximal_at(order, prime, e)
     return order
 
 
 def maximal_at(order: LatticeValue, prime: Prime, e: int) -> LatticeValue:
-    """Return an order that contains the given one with the index Pᵉ, maximal at P."""
+    """Return an order that contains the given one with index Pᵉ and is maximal at P."""
     while e:
         at = OrderAtPrime(order, prime)
         # of level P, and split there, it is hereditary
@@ -38,9 +38,10 @@ def maximal_at(order: LatticeValue, prime: Prime, e: int) -> LatticeValue:
 
 
 def eichler_suborder(order: LatticeValue, index: BaseIdeal) -> LatticeValue:
-    """Return the Eichler order R + I, I a left ideal of a norm in an order, maximal and split at its primes.
+    """Return the Eichler order R + I for a left ideal I of norm ``index``; the order is maximal and split at
+    its primes.
 
-    R are the integers of the base.
+    R is the ring of integers of the base.
     """
     ambient, factors = order.ambient, order.ambient.base.factorisation(index)
     den, rows = _ideal_rows(order, factors, OrderAtPrime.zero_divisor)
@@ -48,9 +49,10 @@ def eichler_suborder(order: LatticeValue, index: BaseIdeal) -> LatticeValue:
 
 
 def random_cyclic_ideal(order: LatticeValue, factors: Factors, rng: random.Random) -> LatticeValue:
-    """Return a random left ideal I with cyclic O/I, of a norm prime to the discriminant.
+    """Return a random left ideal I with cyclic O/I, of norm prime to the discriminant.
 
-    All are equally likely: units of O/Pᵉ, which is M₂ of the residues, permute them transitively.
+    All such ideals are equally likely, because the units of O/Pᵉ, which is M₂ of the residues, permute them
+    transitively.
     """
 
     def element(at: OrderAtPrime, e: int) -> fmpz_mat:
@@ -62,9 +64,9 @@ def random_cyclic_ideal(order: LatticeValue, factors: Factors, rng: random.Rando
 def _ideal_rows(
     order: LatticeValue, factors: Factors, element: Callable[[OrderAtPrime, int], fmpz_mat]
 ) -> tuple[int, fmpz_mat]:
-    """Return rows over a denominator that span O·x + N·O, N being given by its factors.
+    """Return rows over a denominator that span O·x + N·O, where N is the product of the ``factors``.
 
-    Modulo each Pᵉ in N, x is the ``element`` at P times a number prime to P.
+    Modulo each factor Pᵉ, x is ``element`` at P times a number prime to P.
     """
     ambient, base = order.ambient, order.ambient.base
     places = [(order_at_prime(order, prime), e) for prime, e in factors]

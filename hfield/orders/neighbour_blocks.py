@@ -1,7 +1,7 @@
 """Compute the neighbours of many classes in blocks, on any executor.
 
-A block is computed in two steps: first the keys of all neighbours of its classes, then the representatives
-of new classes among them. Both steps consist of independent tasks. New classes are numbered here, in the
+A block is computed in two steps: first the keys of all neighbours of its classes, then the representatives of
+the new classes among them. Both steps consist of independent tasks. New classes are numbered here, in the
 order of the rows and of the neighbours in a row, so the numbers do not depend on the executor. The keys of
 the next block are computed at the same time.
 """
@@ -54,12 +54,12 @@ Unknown = tuple[LatticeValue, Prime, Prime, list[tuple[bytes, bytes]]]
 
 @lru_cache(maxsize=16)
 def class_keys(order: LatticeValue) -> ClassKeys:
-    """Return what the keys of right ideals of an order have in common."""
+    """Return the data shared by the keys of right ideals of an order."""
     return ClassKeys(order)
 
 
 def around(keys: ClassKeys, record: ClassRecord, prime: Prime) -> SublatticeKeys:
-    """Return the keys of the right ideals of relative norm P in one that represents a class."""
+    """Return the keys of the right ideals of relative norm P in the representative of a class."""
     ideal = keys.ambient.base.prime_ideal(prime)
     return SublatticeKeys(keys, record.rows, record.den, keys.multiplied(record.norm, ideal))
 
@@ -67,14 +67,14 @@ def around(keys: ClassKeys, record: ClassRecord, prime: Prime) -> SublatticeKeys
 def neighbours_inside(
     keys: ClassKeys, record: ClassRecord, prime: Prime
 ) -> Iterator[tuple[SublatticeKeys, Reduced]]:
-    """Yield the right ideals of relative norm P in one, by reduced bases."""
+    """Yield the right ideals of relative norm P in the representative of a class, by reduced bases."""
     whole = around(keys, record, prime)
     for coordinates in neighbours_at(keys.order, prime).inside(whole, record.norm):
         yield whole, whole.reduced(coordinates)
 
 
 def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
-    """Return the neighbours of classes, with the numbers of these."""
+    """Return the neighbours of classes, with the numbers of these classes."""
     order, prime, records = task
     keys, out = class_keys(order), []
     for n, data in records:
@@ -93,7 +93,7 @@ def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
 def partner_inside(
     keys: ClassKeys, record: ClassRecord, prime: Prime
 ) -> tuple[SublatticeKeys, Reduced]:
-    """Return the right ideal that the two-sided ideal of norm P makes of one, by a reduced basis."""
+    """Return the product of a representative with the two-sided ideal of norm P, by a reduced basis."""
     whole = around(keys, record, prime)
     coordinates = next(two_sided_at(keys.order, prime).inside(whole, record.norm))
     return whole, whole.reduced(coordinates)
@@ -102,7 +102,7 @@ def partner_inside(
 def found_class(
     keys: ClassKeys, whole: SublatticeKeys, basis: Reduced, exchange: Prime
 ) -> Iterator[PackedClass]:
-    """Yield the representative of a class, then that of the class exchanged with it, if a prime is given."""
+    """Yield the representative of a class and, if a prime is given, that of the class exchanged with it."""
     found = pack_class(keys.ambient, whole.representative(basis))
     yield found
     if exchange is not None:
@@ -125,7 +125,7 @@ def representatives(task: Unknown) -> list[list[PackedClass]]:
 
 
 class BlockSearch:
-    """Adds rows of neighbours at a prime to those known, in blocks that an executor computes."""
+    """Adds rows of neighbours at a prime, in blocks that an executor computes."""
 
     def __init__(
         self, classes: Classes, prime: Prime, executor: Executor, rows: SparseRows
@@ -178,7 +178,7 @@ class BlockSearch:
         return Block(first, stop, futures)
 
     def _unknown(self, rows: Mapping[int, list[Neighbour]]) -> dict[bytes, tuple[bytes, bytes]]:
-        """Return the first neighbour with each new key, and the class whose neighbour it is."""
+        """Return the first neighbour with each new key, and the class that it is a neighbour of."""
         found: dict[bytes, tuple[bytes, bytes]] = {}
         store = self.classes.store
         for n, row in rows.items():
@@ -189,5 +189,5 @@ class BlockSearch:
 
 
 def _pieces(items: list[T], size: int) -> Iterator[list[T]]:
-    """Yield a list in pieces of a size."""
+    """Yield the pieces of a list, of a given size."""
     return (items[n : n + size] for n in range(0, len(items), size))

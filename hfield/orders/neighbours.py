@@ -1,6 +1,6 @@
 """Right ideals of prime norm in right ideals, in coordinates of a basis, by linear algebra modulo p.
 
-Over polynomials p is P itself.
+Over polynomials, p is P itself.
 
 Let P be a prime of the base above p, K a right ideal of norm P in an order O, and I a right ideal with
 ``I = y·O`` at all primes above p. Then ``J = y·K + P·I`` is a right ideal of relative norm P in I, and every
@@ -44,8 +44,8 @@ TRIALS = 1_000
 class Neighbours:
     """The right ideals of relative norm P in right ideals of one order.
 
-    Those of some ideals of norm P, ``only`` them, or of all. Raises :class:`TooLargeError` where they are too
-    many at a prime of the discriminant.
+    With ``only``, they come from these ideals of norm P instead of from all of them. Raises
+    :class:`TooLargeError` if there are too many at a prime of the discriminant.
     """
 
     def __init__(
@@ -70,16 +70,16 @@ class Neighbours:
         return len(self._lines)
 
     def _zeros(self, ideal: LatticeValue) -> nmod_mat:
-        """Return linear forms on the order, in rows, of which a right ideal of norm P is the set of zeros."""
+        """Return linear forms on the order, as rows, whose common zeros are a right ideal of norm P."""
         whole = (ideal.rows * self.order.inverse_rows).numer_denom()[0]
         domain = self.order.ambient.domain
         return self.modular(domain.kernel(whole, self.p), self.p)
 
     def _lines_of_the_plane(self) -> Iterator[nmod_mat]:
-        """Yield, for each line, the combinations of the forms of the plane that are 0 on it.
+        """Yield, for each line, the combinations of the forms of the plane that vanish on it.
 
         The forms are the coordinates of z·e in y₁, β·y₁, … and in y₂, β·y₂, …, and those of z·g. The lines
-        are those of y₁ + c·y₂, and of y₂.
+        are those spanned by y₁ + c·y₂ and by y₂.
         """
         f, base = self.degree, self.order.ambient.base
         one = [[int(k == m) for m in range(f)] for k in range(f)]
@@ -96,9 +96,9 @@ class Neighbours:
         return self.modular(doubled, self.p)
 
     def inside(self, around: SublatticeKeys, norm: Norm) -> Iterator[fmpz_mat]:
-        """Yield bases of the right ideals of relative norm P in one, in coordinates of its basis.
+        """Yield bases of the right ideals of relative norm P in a right ideal, in coordinates of its basis.
 
-        The right ideal, of a given norm, contains the order, as the lattices that represent classes do.
+        The right ideal has a given norm and contains the order, as class representatives do.
         """
         order, ambient, p = self.order, self.order.ambient, self.p
         rows, den = around.rows, around.den
@@ -116,21 +116,21 @@ class Neighbours:
 
 @lru_cache(maxsize=64)
 def neighbours_at(order: LatticeValue, prime: Prime) -> Neighbours:
-    """Return the right ideals of norm P in an order, from which those in its right ideals are computed."""
+    """Return the right ideals of norm P in an order, for computing those in its right ideals."""
     return Neighbours(order, prime)
 
 
 @lru_cache(maxsize=64)
 def two_sided_at(order: LatticeValue, prime: Prime) -> Neighbours:
-    """Return the two-sided ideal of norm P in an order, from which those in right ideals are computed."""
+    """Return the two-sided ideal of norm P in an order, for computing those in its right ideals."""
     return Neighbours(order, prime, [two_sided_prime(order, prime)])
 
 
 def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement | None:
     """Return an element y of a right ideal I with I = y·O at all primes above p; None for 1.
 
-    At these primes N(y) has the same valuations as N(I). If P does not divide all values of a quadratic form,
-    it does not divide its value at some basis element or at the sum of some two of them.
+    At these primes N(y) has the same valuation as N(I). If P does not divide all values of a quadratic form,
+    then it does not divide the value at some basis element or at the sum of two basis elements.
     """
     ambient = around.keys.ambient
     ideal = ambient.base.narrow_classes.ideals[norm.number]
@@ -147,7 +147,7 @@ def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement 
         if found and domain.remove(found, p)[0] == wanted:
             return around.element([int(k in some) for k in range(size)])
     rng = random.Random(1)
-    for _ in range(TRIALS):  # where there are several primes above p
+    for _ in range(TRIALS):  # if there are several primes above p
         x = around.element([domain.random(rng, p) for _ in range(size)])
         found = ambient.number_matrix(x.scaled_norm).det()
         if found and domain.remove(found, p)[0] == wanted:
@@ -160,7 +160,7 @@ def _valuation(domain: EuclideanDomain, x: Rational, p: Integer) -> int:
 
 
 def _solutions(domain: EuclideanDomain, forms: ModularMatrix, p: Integer) -> IntegerMatrix:
-    """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
+    """Return a basis of the integer vectors at which linear forms vanish modulo p, with small entries."""
     reduced, rank = forms.rref()
     size = forms.ncols()
     entries: list[Integer] = [0] * (size * size)
@@ -169,7 +169,7 @@ def _solutions(domain: EuclideanDomain, forms: ModularMatrix, p: Integer) -> Int
         pivot = next(m for m, c in enumerate(row) if c)
         entries[pivot * (size + 1)] = p
         for m in range(pivot + 1, size):
-            if row[m]:  # no pivot of another row, where this one is 0
+            if row[m]:  # no pivot of another row, because this entry is 0
                 entries[m * size + pivot] = -domain.small_residue(row[m], p)
     return domain.matrix(size, size, entries)
 
@@ -178,7 +178,7 @@ def _solutions(domain: EuclideanDomain, forms: ModularMatrix, p: Integer) -> Int
 
 
 def _plane(neighbours: Neighbours) -> Matrix:
-    """Return 4f linear forms on the order modulo p: coordinates of z·e, and of z·g, in bases of lines."""
+    """Return 4f linear forms on the order modulo p: the coordinates of z·e and z·g in bases of lines."""
     order, prime, p, f = neighbours.order, neighbours.prime, neighbours.p, neighbours.degree
     ambient, base = order.ambient, order.ambient.base
     modular = neighbours.modular
@@ -233,13 +233,13 @@ def _lists(matrix: nmod_mat) -> Matrix:
 
 
 def _modulo(order: LatticeValue, matrix: fmpq_mat, p: int) -> nmod_mat:
-    """Return a linear map that takes the order into itself, modulo p, in coordinates of the order."""
+    """Return the matrix modulo p of a linear map of the order to itself, in coordinates of the order."""
     moved = (order.rows * matrix * order.inverse_rows).numer_denom()[0]
     return order.ambient.domain.modular(moved, p)
 
 
 def _embedding(base: Base, prime: Prime, p: int) -> BaseNumber:
-    """Return an integer t of the field, so that t·x is divisible by p exactly where x is in P."""
+    """Return an integer t of the field such that t·x is divisible by p if and only if x is in P."""
     domain = base.domain
     den, rows = base.ideal_rows(base.inverse(base.prime_ideal(prime)))
     for row in rows:
@@ -250,7 +250,7 @@ def _embedding(base: Base, prime: Prime, p: int) -> BaseNumber:
 
 
 def _multiplication(base: Base, prime: Prime, c: BaseNumber, f: int) -> Matrix:
-    """Return the matrix of the multiplication by a residue, on digits as rows."""
+    """Return the matrix of multiplication by a residue, on rows of digits."""
     place = base.place(prime)
     units = (base.residue(prime, [int(k == m) for m in range(f)]) for k in range(f))
     residue = place.reduce(c)

@@ -41,7 +41,8 @@ LEAST_MODULUS, MAX_MODULI = 10**9, 20
 
 
 def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
-    """Return the Galois orbits of newforms, with eigenvalues at the good primes of norm up to a bound.
+    """Return the claim of the Galois orbits of newforms, with eigenvalues at good primes of norm up to a
+    bound.
 
     With ``signs``, those of Atkin and Lehner at the primes of the level and the discriminant are added. The
     primes of the operator that tells the newforms apart are added to those up to the bound. The
@@ -58,7 +59,7 @@ def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
 
 
 class _NewformEvidence:
-    """What shows the newforms of a module."""
+    """The evidence for the newforms of a module."""
 
     def __init__(self, module: Module, norm: int, signs: bool) -> None:
         self.module, self.forms = module, module.newforms
@@ -72,7 +73,7 @@ class _NewformEvidence:
             self.primes = [next(good_primes(self.classes.order))]
 
     def claim(self, refusal: str | None) -> CertifiedClaim:
-        """Return the statement with its evidence, which is left out where the checker is not asked."""
+        """Return the claim; the evidence is omitted if the checker does not verify it."""
         shown = {} if refusal else self._data()
         stated = [
             f"{f.field.name}: {','.join(f.field.text(f.eigenvalue(P)) for P in self.primes)}"
@@ -128,7 +129,7 @@ class _NewformEvidence:
 
     @cached_property
     def _elements(self) -> ClassElements:
-        """The elements between ideals of one class."""
+        """The elements that map ideals of one class to each other."""
         return ClassElements(self.classes)
 
     def _json(self, ideals: list[Ideal]) -> list[object]:
@@ -152,18 +153,18 @@ class _NewformEvidence:
         return self._scaled(*self._elements.exchanged(i, prime), volume)
 
     def _scaled(self, j: int, row: list[fmpz], volume: Fraction) -> Ideal:
-        """Return a class and a rational multiple of an element with a c·I_j of a volume."""
+        """Return a class j and a rational multiple of an element c such that c·I_j has a given volume."""
         c = self.ambient.element(row)
         return j, c * self._factor(multiple(self.classes.lattice(j), c, "left"), volume)
 
     def _factor(self, lattice: LatticeValue, volume: Fraction) -> Fraction:
-        """Return the positive number by which a lattice is multiplied to have a volume."""
+        """Return the positive number by which a lattice must be multiplied to have a given volume."""
         top, below = (volume / _volume(lattice)).as_integer_ratio()
         size = self.ambient.size
         return Fraction(int(fmpz(top).root(size)), int(fmpz(below).root(size)))
 
     def _fibres(self, above: LatticeValue) -> list[list[Ideal]]:
-        """Return, for each class of right ideals L of a larger order, the J with J·O′ = L."""
+        """Return, for each class of right ideals L of a larger order O′, the ideals J with J·O′ = L."""
         larger = ClassElements(Classes(above))
         index = _volume(self.classes.order) / _volume(above)
         volumes = [_volume(larger.classes.lattice(n)) * index for n, _ in enumerate(larger.units)]
@@ -232,7 +233,7 @@ class _NewformEvidence:
 
     @cached_property
     def _polynomial(self) -> fmpz_poly:
-        """The product of the different factors of its characteristic polynomial."""
+        """The product of the distinct factors of its characteristic polynomial."""
         matrix, den = self._matrix
         coefficients = reversed(matrix.charpoly().coeffs())
         whole = fmpz_poly([c // den**k for k, c in enumerate(coefficients)][::-1])
@@ -311,7 +312,7 @@ class _NewformEvidence:
         return found
 
     def _modulus(self, fibres: list[list[Ideal]]) -> int:
-        """Return a prime modulo which eigenvalues stay different, and equations independent."""
+        """Return a prime modulo which eigenvalues stay distinct and equations independent."""
         rows = [row for fibre in fibres for row in self._equations(self._sum(fibre))]
         if self.module.weight == 2:
             kinds, units = [norm.number for norm in self.classes.norms], self.classes.units
@@ -347,10 +348,10 @@ def _pivots(basis: fmpq_mat) -> list[int]:
 
 
 def _volume(lattice: LatticeValue) -> Fraction:
-    """Return the determinant of the rows of a lattice, without its sign."""
+    """Return the absolute value of the determinant of the rows of a lattice."""
     return Fraction(abs(int(lattice.matrix.det())), int(lattice.den) ** lattice.ambient.size)
 
 
 def _coefficients(form: Newform, x: Any) -> list[fmpq]:
-    """Return the coefficients of the powers of the generator of the field."""
+    """Return the coefficients of an element in powers of the generator of the field."""
     return [fmpq(x)] if form.degree == 1 else padded(x.poly, form.degree)

@@ -1,9 +1,10 @@
-"""Galois orbits of newforms: eigenvalues, the field that they generate, Atkin–Lehner signs.
+"""Galois orbits of newforms: eigenvalues, the field they generate, Atkin–Lehner signs.
 
 Let the newforms of an orbit be the eigenvectors v of T for the roots α of an irreducible polynomial g of
-degree d, with coordinate 1 at one class i. Then an eigenvalue a is Σ tⱼ·vⱼ for row i of the Hecke operator.
-It is an integer of ℚ(α), so a = N(α)/g′(α) for an integral polynomial N of degree below d. Deligne's bound of
-the conjugates of a bounds the coefficients of N, so that residues modulo primes determine them.
+degree d, with coordinate 1 at one class i. Then an eigenvalue a is Σ tⱼ·vⱼ, where t is row i of the Hecke
+operator. It is an integer of ℚ(α), so a = N(α)/g′(α) for an integral polynomial N of degree below d.
+Deligne's bound for the conjugates of a bounds the coefficients of N, so residues modulo primes determine
+them.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ PRIMES_SHOWN = 5
 
 
 class Newform:
-    """A Galois orbit of newforms; its attributes are those of one form.
+    """A Galois orbit of newforms; the attributes describe one form of the orbit.
 
     >>> from hfield import QuaternionAlgebra
     >>> f, g = QuaternionAlgebra(37).maximal_order().class_set().newforms()
@@ -72,7 +73,7 @@ class Newform:
 
     @property
     def level(self) -> Level:
-        """The level beside the discriminant of the algebra, as pairs of a prime and its exponent."""
+        """The level away from the discriminant of the algebra, as pairs (prime, exponent)."""
         return self._module.level
 
     @property
@@ -102,7 +103,7 @@ class Newform:
 
     @property
     def signs(self) -> dict[Prime, int]:
-        """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
+        """The Atkin–Lehner signs at the primes of the level and of the discriminant."""
         return {self._module.shown(P): sign for P, sign in self._signs.items()}
 
     @property
@@ -115,8 +116,8 @@ class Newform:
     def eigenvalue(self, prime: object) -> fmpq | FieldElement:
         """Return the eigenvalue at a prime, an element of the field.
 
-        At P it is −sign·N(P)^(k/2−1) where P divides the level once, and 0 where P² does. Raises
-        :class:`LatticeError` for what is not a prime.
+        At a prime P of the level it is −sign·N(P)^(k/2−1) if P divides the level exactly once, and 0 if P²
+        divides it. Raises :class:`LatticeError` unless the argument is a prime.
         """
         P = self._module.prime(prime)
         known = self._at_level(P)
@@ -144,7 +145,7 @@ class Newform:
         return fmpq_poly(self._numerator(P)) * g.derivative().xgcd(g)[1] % g
 
     def __getitem__(self, prime: object) -> int | FieldElement:
-        """Return the eigenvalue at a prime; an int where the field is ℚ."""
+        """Return the eigenvalue at a prime; an int if the field is ℚ."""
         found = self.eigenvalue(prime)
         return found if isinstance(found, FieldElement) else int(found.p)
 
@@ -167,7 +168,7 @@ class Newform:
         return [int(c) for c in (found // found.gcd(found.derivative())).coeffs()]
 
     def _characteristic(self, numerator: list[int], p: int) -> list[int]:
-        """Return the characteristic polynomial of N(α)/g′(α) modulo p, [] where p is not good for it."""
+        """Return the characteristic polynomial of N(α)/g′(α) modulo p, or [] if p is not suitable for it."""
         g = nmod_poly(self.polynomial.coeffs(), p)
         common, inverse, _ = g.derivative().xgcd(g)
         if common.degree():
@@ -176,7 +177,7 @@ class Newform:
         return [int(c) for c in matrix.charpoly().coeffs()]
 
     def _at_level(self, P: Prime) -> int | None:
-        """Return the eigenvalue at a prime of the level or of the discriminant, None at others."""
+        """Return the eigenvalue at a prime of the level or the discriminant, None at other primes."""
         exponents = dict(self._exponents)
         if P not in exponents:
             return None
@@ -203,7 +204,7 @@ class Newform:
     def coefficient(self, n: int) -> fmpq | FieldElement:
         """Return the coefficient of qⁿ, n ≥ 1, an element of the field.
 
-        Raises :class:`LatticeError` over other fields than ℚ, where forms have no such expansion.
+        Raises :class:`LatticeError` over fields other than ℚ, where forms have no q-expansion.
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(11).maximal_order().class_set().newforms()[0]
@@ -223,7 +224,7 @@ class Newform:
         return found
 
     def q_expansion(self, number: int = 10) -> str:
-        """Return the expansion up to O(qⁿ) as a text. Raises as :meth:`coefficient` does."""
+        """Return the q-expansion up to O(qⁿ) as a text. Raises as :meth:`coefficient` does."""
         text = "q"
         for n in range(2, number):
             c = self.coefficient(n)
@@ -236,7 +237,8 @@ class Newform:
         return f"{text} + O(q^{number})"
 
     def traces(self) -> Iterator[int]:
-        """Yield the traces of the coefficients of q², q³, …; elsewhere of the eigenvalues at good primes.
+        """Yield the traces of the coefficients of q², q³, …; over other fields, of the eigenvalues at good
+        primes.
 
         >>> from itertools import islice
         >>> from hfield import QuaternionAlgebra
@@ -256,10 +258,10 @@ class Newform:
 
     @property
     def label(self) -> str | None:
-        """The label in the LMFDB, such as ``389.2.a.e``; None over other fields than ℚ.
+        """The label in the LMFDB, such as ``389.2.a.e``; None over fields other than ℚ.
 
-        All newforms of weight k and level D·N come from an algebra of discriminant D, where D is prime to N:
-        so the place of an orbit among them is known. They are ordered by the traces of coefficients.
+        All newforms of weight k and level D·N come from an algebra of discriminant D if D is prime to N, so
+        the position of an orbit among them is known. They are ordered by the traces of coefficients.
         """
         if not self._module.has_expansions:
             return None
@@ -273,7 +275,7 @@ class Newform:
     # --- modulo primes -----------------------------------------------------------------------------------
 
     def _reductions(self) -> Iterator[tuple[int, nmod_mat]]:
-        """Yield primes p, and g′(α)·vⱼ modulo p in column j."""
+        """Yield primes p, with a matrix whose column j is g′(α)·vⱼ modulo p."""
         for p in self._module.primes():
             if p not in self._systems:
                 self._systems[p] = self._reduction(p)
@@ -282,7 +284,9 @@ class Newform:
                 yield p, found
 
     def _reduction(self, p: int) -> nmod_mat | None:
-        """Return g′(α)·vⱼ modulo p in column j; None where p does not fit, as where vᵢ is not a unit."""
+        """Return g′(α)·vⱼ modulo p in column j; None if p is not suitable, for instance if vᵢ is
+        not a unit.
+        """
         g = nmod_poly(self.polynomial.coeffs(), p)
         vector = self._module.eigenvectors(self.operator, self.polynomial, p)
         if vector is None:
@@ -299,16 +303,16 @@ class Newform:
     # --- several -----------------------------------------------------------------------------------------
 
     def eigenvalues(self, number: int) -> dict[Prime, int | FieldElement]:
-        """Return the eigenvalues at the first primes off the level and the discriminant."""
+        """Return the eigenvalues at the first primes that divide neither the level nor the discriminant."""
         primes = islice(self._module.good_primes(), number)
         return {self._module.shown(P): self[P] for P in primes}
 
     def eigenvalues_up_to(self, norm: int) -> dict[Prime, int | FieldElement]:
-        """Return the eigenvalues at all primes of norm up to a bound, those of the level too."""
+        """Return the eigenvalues at all primes of norm up to a bound, including those of the level."""
         return {self._module.shown(P): self[P] for P in self._module.primes_up_to(norm)}
 
     def traces_up_to(self, norm: int) -> dict[Prime, int]:
-        """Return the traces of the eigenvalues at the same primes."""
+        """Return the traces of the eigenvalues at all primes of norm up to a bound."""
         return {self._module.shown(P): self.trace(P) for P in self._module.primes_up_to(norm)}
 
     def named_eigenvalues(self, number: int) -> str:
@@ -324,7 +328,7 @@ class Newform:
 
 
 def _applied(system: nmod_mat, row: dict[int, int], p: int) -> list[int]:
-    """Return the columns of a matrix, combined as a row of an operator says."""
+    """Return the combination of the columns of a matrix given by a row of an operator."""
     column = [0] * system.ncols()
     for j, times in row.items():
         column[j] = times % p
@@ -332,7 +336,7 @@ def _applied(system: nmod_mat, row: dict[int, int], p: int) -> list[int]:
 
 
 def _multiplication(x: nmod_poly, g: nmod_poly) -> nmod_mat:
-    """Return the multiplication by x modulo g, on coefficients as rows."""
+    """Return the matrix of multiplication by x modulo g, on rows of coefficients."""
     d, p = int(g.degree()), int(g.modulus())
     step, rows = nmod_poly([0, 1], p), []
     x = x % g

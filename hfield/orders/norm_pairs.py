@@ -1,20 +1,20 @@
 """Find two elements of an ideal whose norms have a given sum S·N (Qlapoti).
 
 Let J be a left ideal of norm N of a p-extremal order with the frame R + R·β, and 𝔞 = J ∩ R. For x = u + z·β
-in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 + N(c)
+in J, c in R and a in 𝔞 the element y = c·x − a lies in J. With D = 1 + N(c),
 
     D·(N(x) + N(y)) = N(D·x − c̄·a) + N(a).
 
-For given z and c let U = D·u + s with s in 𝔞. Then x = (U + c̄·a)/D + z·β has to lie in J, so that D·N(𝔞)
-divides N(s) + N(a). Modulo D·N(𝔞), the equation N(U) + N(a) + p·D²·N(z) = D·S·N is one linear condition on s.
-Each short solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 this is the algorithm of Borin,
+For given z and c let U = D·u + s with s in 𝔞. Then x = (U + c̄·a)/D + z·β has to lie in J, so D·N(𝔞) divides
+N(s) + N(a). Modulo D·N(𝔞), the equation N(U) + N(a) + p·D²·N(z) = D·S·N is one linear condition on s. Each
+short solution gives N(a), and Cornacchia's algorithm finds a. For c = 0 this is the algorithm of Borin,
 Corte-Real Santos, Eriksen, Invernizzi, Mula, Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where
-N divides N(y)/N. Other c are for ideals in which the norms of all short elements have a factor of S, such as
-those of norm 2ᵏ.
+N divides N(y)/N. Other c are used for ideals in which the norms of all short elements have a factor in common
+with S, such as ideals of norm 2ᵏ.
 
 Two other methods are used in special cases. For small p the norms of many short elements are sorted to find
-pairs with the given sum. In planes of small discriminant x is random, and y is an element of the remaining
-norm.
+pairs with the given sum. In planes of small discriminant x is chosen at random, and y is an element of the
+remaining norm.
 """
 
 from __future__ import annotations
@@ -53,10 +53,11 @@ MAX_STARTS, MAX_MULTIPLIERS, MAX_STEPS, MAX_FAILURES = 100, 300, 60, 24
 
 
 def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) -> Pair:
-    """Return x and y in a left ideal of a maximal order with coprime N(x)/N(I) and N(y)/N(I) of a given sum.
+    """Return x and y in a left ideal of a maximal order; N(x)/N(I) and N(y)/N(I) are coprime, with sum
+    ``total``.
 
-    Raises :class:`LatticeError` for other orders, :class:`NoEquivalentIdealError` where all were tried, and
-    :class:`UndecidedError` where none were found.
+    Raises :class:`LatticeError` for other orders, :class:`NoEquivalentIdealError` if all pairs were tried,
+    and :class:`UndecidedError` if none was found.
     """
     p = expect_maximal(order, "equivalent_pair()")
     f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
@@ -111,9 +112,10 @@ def _by_qlapoti(
 
 
 def _by_representing(ideal: LatticeValue, total: int, rng: random.Random) -> Pair | None:
-    """Return the same for an ideal with planes of small discriminant: in any order if p is small.
+    """Return such a pair for an ideal with planes of small discriminant; small p give such planes in any
+    order.
 
-    x is random, and y is an element whose norm is that which is left.
+    x is random, and y is an element of the remaining norm.
     """
     if not has_small_planes(ideal):
         return None
@@ -137,7 +139,7 @@ def _elements(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[i
 
 
 def _in_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
-    """Return such a pair for a left ideal of norm N; norms are multiples of N."""
+    """Return such a pair for a left ideal of norm N; norms are given as multiples of N."""
     start = _SplitIdeal.of(ideal, f, norm)
     if start is None:
         return None
@@ -153,7 +155,8 @@ def _in_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> 
 
 @dataclass(frozen=True)
 class _SplitIdeal:
-    """A left ideal J of norm N as R·a = J ∩ R and elements u + z·β, in coordinates over a denominator.
+    """A left ideal J of norm N, the a with R·a = J ∩ R, and elements u + z·β, all in coordinates over a
+    denominator.
 
     ``step`` is N(a)/N.
     """
@@ -167,7 +170,7 @@ class _SplitIdeal:
 
     @classmethod
     def of(cls, ideal: LatticeValue, f: QuadraticFrame, norm: int) -> _SplitIdeal | None:
-        """Return the data of an ideal J; None if J ∩ R is no principal ideal."""
+        """Return the data of an ideal J; None if J ∩ R is not principal."""
         basis = [f.beta, f.alpha * f.beta, ideal.algebra(1), f.alpha]
         den, rows = spanning_rows(ideal.ambient, basis)
         inside, d = hermite.in_coordinates(rows, ideal.matrix)
@@ -249,7 +252,7 @@ def _pair(
     z: tuple[int, int],
     a: tuple[int, int],
 ) -> Pair | None:
-    """Return (U + c̄·a)/D + z·β = x and c·x − a where x lies in the ideal and the norms are coprime."""
+    """Return x = (U + c̄·a)/D + z·β and c·x − a if x lies in the ideal and the norms are coprime."""
     size, den = 1 + f.binary(*c), start.den
     v = [m + n for m, n in zip(U, _times(f, conjugate, a), strict=True)]
     if v[0] % size or v[1] % size:
@@ -263,7 +266,7 @@ def _pair(
 def _solutions(
     traces: list[int], value: int, modulus: int
 ) -> tuple[list[int], list[list[int]]] | None:
-    """Return one s with traces·s ≡ value, and a basis of the s with traces·s ≡ 0, modulo a number."""
+    """Return one s with traces·s ≡ value, and a basis of all s with traces·s ≡ 0, modulo a number."""
     g = math.gcd(*traces, modulus)
     if value % g:
         return None
@@ -292,7 +295,7 @@ def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[i
 
 
 def _small_pairs() -> Iterator[tuple[int, int]]:
-    """Yield one of ±v for the primitive pairs of integers, the small ones first."""
+    """Yield one of ±v for the primitive pairs of integers, small ones first."""
     for size in count(1):
         sides = ((x, y) for y in range(size) for x in (-size, size))
         top = ((x, size) for x in range(-size, size + 1))
@@ -304,9 +307,9 @@ def _small_pairs() -> Iterator[tuple[int, int]]:
 def _by_sorting(
     ideal: LatticeValue, total: int, samples: Sequence[int], seed: int
 ) -> tuple[Pair | None, bool]:
-    """Return such a pair among short elements, all of them for a total of at most 50 bits.
+    """Return such a pair of short elements; for a total of at most 50 bits all of them are tried.
 
-    With it whether all were tried.
+    The second result is whether all were tried.
     """
     import numpy as np
 
@@ -337,7 +340,7 @@ def _by_sorting(
 def _matching(
     vectors: np.ndarray, gram: list[list[int]], total: int
 ) -> tuple[list[int], list[int]] | None:
-    """Return two vectors with coprime values of half a form and a given sum, or None."""
+    """Return two vectors whose values of half the form are coprime with a given sum, or None."""
     import numpy as np
 
     # below 2⁶³ in the box, where |x·gram·x| ≤ 16·16·2·total

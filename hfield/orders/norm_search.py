@@ -2,9 +2,9 @@
 
 The norm, divided by that of the lattice, is a quadratic form in four coordinates. For small norms three of
 them are enumerated, in blocks of an array. If there are too many values, random ones are tried. Large norms
-are represented by a plane of the lattice and its orthogonal complement: ``n = f(x, y) + g(z, w)``. When
-(z, w) is chosen, the pairs (x, y) with f(x, y) = m are shortest vectors of planar lattices, one for each root
-of f modulo m (Cornacchia's algorithm for any form).
+are represented by a plane of the lattice and its orthogonal complement: ``n = f(x, y) + g(z, w)``. Once (z,
+w) is chosen, the pairs (x, y) with f(x, y) = m are shortest vectors of planar lattices, one for each root of
+f modulo m (Cornacchia's algorithm for any form).
 """
 
 from __future__ import annotations
@@ -53,13 +53,13 @@ PLANE_TRIALS = 1_000, 30_000
 
 
 def of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Quaternion | None, bool]:
-    """Return an element with N(x) = n·N(L), or None; with it whether that is proved."""
+    """Return an element with N(x) = n·N(L), or None, and whether this is proved."""
     row, decided = _row_of_norm(lattice, n, rng)
     return (None if row is None else lattice.element(row)), decided
 
 
 def _row_of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Row | None, bool]:
-    """Return the same as a row over the denominator of the lattice."""
+    """Return the same, with the element as a row over the denominator of the lattice."""
     rows, gram = lattice.reduced
     heads = enumeration.volume(gram, 2 * n, 3)
     if heads <= MAX_HEADS_WITHOUT_ARRAYS:
@@ -75,9 +75,9 @@ def _row_of_norm(lattice: LatticeValue, n: int, rng: random.Random) -> tuple[Row
 def norm_dividing(
     lattice: LatticeValue, number: int, rng: random.Random
 ) -> tuple[Quaternion | None, bool, int]:
-    """Return an element for which N(x)/N(L) divides a number, with the least norm if that can be found.
+    """Return an element for which N(x)/N(L) divides a number, the least such norm if it can be found.
 
-    With it whether the answer is proved, and up to which bound all norms were decided.
+    The other results are whether the answer is proved, and the bound up to which all norms were decided.
     """
     small = volume(lattice) < SMALL_VOLUME
     x, tried = _among_short(lattice, number, MAX_SHORT if small else MAX_SHORT_OF_LARGE)
@@ -91,14 +91,16 @@ def norm_dividing(
 
 
 def volume(lattice: LatticeValue) -> int:
-    """Return the root of the determinant of the form: p for ideals of maximal orders of discriminant p."""
+    """Return the square root of the determinant of the form; p for ideals of maximal orders of discriminant
+    p.
+    """
     return math.isqrt(enumeration.bareiss(lattice.reduced[1])[0][4])
 
 
 def _among_short(lattice: LatticeValue, number: int, most: int) -> tuple[Quaternion | None, int]:
-    """Return an element of least N(x)/N(L) that divides a number, among at most so many short ones.
+    """Return an element of least N(x)/N(L) that divides a number, among a limited number of short ones.
 
-    With it the bound up to which all were tried.
+    The second result is the bound up to which all were tried.
     """
     tried, bound = 0, least_norm(lattice)
     while True:
@@ -118,7 +120,9 @@ def _among_short(lattice: LatticeValue, number: int, most: int) -> tuple[Quatern
 def _least_divisor(
     lattice: LatticeValue, divisors: Divisors, tried: int, rng: random.Random
 ) -> tuple[Row | None, int]:
-    """Return an element for the least divisor above those tried, and up to which all were decided."""
+    """Return an element for the least divisor above those tried, and the bound up to which all were
+    decided.
+    """
     gram, size, spent = lattice.reduced[1], volume(lattice), 0.0
     # an element of norm n is expected from n = p/24 on
     first = size >> 8 if size > SMALL_VOLUME else 1
@@ -149,9 +153,10 @@ def _least_divisor(
 def _vector_of_length(
     gram: list[list[int]], length: int, most: int, heads: float, rng: random.Random
 ) -> tuple[Row | None, bool]:
-    """Return x with x·gram·x = length, or None, and whether that is decided.
+    """Return x with x·gram·x = length, or None, and whether the answer is proved.
 
-    The last two coordinates are tried in a random order, if need be not all, and the first is solved for.
+    The last two coordinates are tried in random order (not all of them if there are too many), and the first
+    one is solved for.
     """
     import numpy as np
 
@@ -195,7 +200,7 @@ def _vector_of_length(
 
 
 class _Columns:
-    """The ranges of the second coordinate, for given last ones, among the vectors up to a length."""
+    """The ranges of the second coordinate, given the last ones, among the vectors up to a length."""
 
     def __init__(self, gram: list[list[int]], length: int) -> None:
         minors, forms = enumeration.bareiss(gram)
@@ -204,7 +209,7 @@ class _Columns:
     def expand(
         self, third: np.ndarray, last: np.ndarray, numbers: np.random.Generator | None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return all three coordinates; of long ranges a random part where numbers are given."""
+        """Return all three coordinates; if ``numbers`` are given, a random part of long ranges."""
         import numpy as np
 
         d, forms = self.minors, self.forms
@@ -228,7 +233,7 @@ class _Columns:
 
 
 def bounds(gram: Sequence[Sequence[int]], length: int) -> list[int]:
-    """Return how large each coordinate of a vector with x·gram·x ≤ length can be."""
+    """Return bounds for the coordinates of a vector with x·gram·x ≤ length."""
     inverse = fmpz_mat(gram).inv()
     size = len(gram)
     return [math.isqrt(int(length * inverse[k, k].p) // int(inverse[k, k].q)) for k in range(size)]
@@ -239,7 +244,7 @@ def bounds(gram: Sequence[Sequence[int]], length: int) -> list[int]:
 
 @dataclass(frozen=True)
 class _Plane:
-    """A plane of a lattice and its orthogonal complement: coordinates of bases, and reduced forms on them."""
+    """A plane of a lattice and its orthogonal complement: coordinates of bases, with reduced forms."""
 
     discriminant: int
     first: fmpz_mat
@@ -249,15 +254,19 @@ class _Plane:
 
 
 def has_small_planes(lattice: LatticeValue) -> bool:
-    """Return whether there are planes with forms of small discriminant, as in any lattice of small volume."""
+    """Return whether there are planes with a form of small discriminant, as in every lattice of
+    small volume.
+    """
     return bool(_planes(lattice))
 
 
 def on_planes(
     lattice: LatticeValue, n: int, rng: random.Random, rounds: Sequence[int] = PLANE_TRIALS
 ) -> Row | None:
-    """Return a row for an element of norm n·N(L), the sum of one in a plane and one orthogonal to it."""
-    # no prime stands in the way where the discriminant is odd and prime to n
+    """Return a row for an element of norm n·N(L), the sum of an element of a plane and one
+    orthogonal to it.
+    """
+    # no prime is an obstacle if the discriminant is odd and prime to n
     planes = sorted(_planes(lattice), key=lambda plane: math.gcd(plane.discriminant, 2 * n) > 1)
     for trials, plane in product(rounds, planes):
         for z, w in islice(_pairs(plane.rest, 2 * n, trials, rng), trials):
@@ -271,7 +280,7 @@ def on_planes(
 
 @lru_cache(maxsize=16)
 def _planes(lattice: LatticeValue) -> tuple[_Plane, ...]:
-    """Return planes spanned by short vectors, by their discriminants: some odd and some even ones."""
+    """Return planes spanned by short vectors, ordered by discriminant: some odd and some even ones."""
     gram = fmpz_mat(lattice.reduced[1])
     short = [v for v in product((-1, 0, 1), repeat=4) if v > (0, 0, 0, 0)]
     found: dict[tuple[Row, ...], tuple[int, fmpz_mat]] = {}
@@ -305,7 +314,7 @@ def _reduced(plane: fmpz_mat, gram: fmpz_mat) -> tuple[fmpz_mat, list[list[int]]
 
 
 def _pairs(form: list[list[int]], length: int, few: int, rng: random.Random) -> Iterator[Row]:
-    """Yield pairs with values up to a length: all where they are few, else random ones."""
+    """Yield pairs with values up to a length: all if there are few, else random ones."""
     if enumeration.volume(form, length, 2) < few:
         yield 0, 0
         yield from (v for v, _ in enumeration.short_vectors(form, length))
@@ -316,7 +325,7 @@ def _pairs(form: list[list[int]], length: int, few: int, rng: random.Random) -> 
 
 
 def _in_plane(form: list[list[int]], m: int) -> Row | None:
-    """Return (x, y) with x·form·x = 2·m, or None: all are found for some m, prime ones if m is large."""
+    """Return (x, y) with x·form·x = 2·m, or None; a large m must be prime, and others may be missed."""
     a, b = form[0][0] // 2, form[0][1]
     d = b * b - form[0][0] * form[1][1]
     if math.gcd(m, 2 * a) > 1:
@@ -335,7 +344,7 @@ def _in_plane(form: list[list[int]], m: int) -> Row | None:
 
 
 def _primes(m: int, d: int) -> Mapping[int, int]:
-    """Return the primes of m; of a large one only if it is a prime, but for what divides d, else nothing."""
+    """Return the primes of m; a large m must be a prime times a divisor of d, else the result is empty."""
     if m < WORD:
         return factor(m).primes
     common = math.gcd(m, d)
@@ -344,7 +353,9 @@ def _primes(m: int, d: int) -> Mapping[int, int]:
 
 
 def _root(d: int, q: int, e: int) -> tuple[int, int]:
-    """Return a square root of d modulo a power of an odd prime q, q itself if it divides d, and the power."""
+    """Return a square root of d modulo qᵉ for an odd prime q, or modulo q if q divides d, with the
+    modulus.
+    """
     x, power = sqrt_mod(d, q), q
     for _ in range(e - 1):
         power *= q
@@ -359,7 +370,7 @@ def _value(form: list[list[int]], v: Row, w: Row) -> int:
 
 
 def _shortest(form: list[list[int]], v: Row, w: Row) -> Row:
-    """Return a shortest vector of the plane lattice of two vectors, by Gauss' reduction."""
+    """Return a shortest vector of the planar lattice spanned by two vectors, by Gauss' reduction."""
     long, between, short = _value(form, v, v), _value(form, v, w), _value(form, w, w)
     while True:
         if long < short:

@@ -1,6 +1,6 @@
 """An order at one prime P of its base: its radical, larger orders, idempotents and zero divisors.
 
-The radical at P consists of the x with tr(x·O) ⊂ P and N(x) ∈ P. Its left order is larger than O unless O is
+The radical at P consists of all x with tr(x·O) ⊂ P and N(x) ∈ P. Its left order is larger than O unless O is
 hereditary at P. A hereditary order is maximal at P, or an Eichler order of level P there, the intersection of
 two maximal ones (Voight, *Quaternion Algebras*, 15.5, 21.2, 24.4). All computations are linear algebra modulo
 the prime number p below P, which may be large.
@@ -42,7 +42,7 @@ TRIALS = 1_000
 
 
 class OrderAtPrime:
-    """An order at a prime P above the prime number p, with ``norm`` residues.
+    """An order at a prime P above the prime number p; P has ``norm`` residues.
 
     Vectors are coordinates in the basis of the order over ℤ.
     """
@@ -62,7 +62,7 @@ class OrderAtPrime:
 
     @cached_property
     def _one(self) -> fmpz_mat:
-        """The coordinates of 1, a column."""
+        """The coordinates of 1, as a column."""
         row = self.ambient.one * self.order.inverse_rows
         return row.numer_denom()[0].transpose()
 
@@ -104,7 +104,7 @@ class OrderAtPrime:
 
     @cached_property
     def representatives(self) -> list[BaseNumber]:
-        """Integers of the field, one of each class modulo P, 0 first."""
+        """Integers of the field, one for each residue class modulo P, 0 first."""
         return self.base.residues(self.prime)
 
     def power_of_p(self, k: int) -> int:
@@ -116,7 +116,7 @@ class OrderAtPrime:
 
     @cached_property
     def radical(self) -> LatticeValue:
-        """The x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O; P·O where O is M₂(ℤ_P)."""
+        """The x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O; it is P·O if O is M₂(ℤ_P)."""
         digits = zip(*map(self.digits, self._basis_residues), strict=True)
         # tr(x·conj(O)) is the same, as conj(O) = O
         forms = [self._combined(c) for c in digits]
@@ -133,7 +133,7 @@ class OrderAtPrime:
         return hermite_form(self.ambient, self.order.den, hermite.stacked(*rows, own * self.p))
 
     def _combined(self, factors: Sequence[int]) -> fmpz_mat:
-        """Return a combination of the matrices of traces."""
+        """Return a linear combination of the trace matrices."""
         total = self.traces[0] * factors[0]
         for form, c in zip(self.traces[1:], factors[1:], strict=True):
             total += form * c
@@ -141,16 +141,16 @@ class OrderAtPrime:
 
     @cached_property
     def larger(self) -> LatticeValue:
-        """The left order of the radical; it is O where O is hereditary at P."""
+        """The left order of the radical, which is O if O is hereditary at P."""
         return order_of(self.radical, "left")
 
     # --- elements with two eigenvalues modulo P --------------------------------------------------
 
     @cached_property
     def split_element(self) -> tuple[fmpq_mat, Residue, Residue]:
-        """An element x, one row, and distinct roots r, s of its characteristic polynomial modulo P.
+        """An element x, as one row, and distinct roots r, s of its characteristic polynomial modulo P.
 
-        The order is M₂(ℤ_P) or has the Eichler symbol 1 at P, else :class:`LatticeError` is raised.
+        Raises :class:`LatticeError` unless the order is M₂(ℤ_P) or has Eichler symbol 1 at P.
         """
         rng, size = random.Random(1), self.ambient.size
         some, draw = self.domain.few_residues(self.p), self.domain.random
@@ -168,12 +168,12 @@ class OrderAtPrime:
         return (rows * self.order.inverse_rows).numer_denom()[0]
 
     def order_row(self, v: Vector) -> fmpq_mat:
-        """Return the element with these coordinates, a row of rational numbers."""
+        """Return the element with these coordinates, as a row of rational numbers."""
         domain = self.domain
         return domain.matrix([list(v)]) * self.order.matrix * domain.fraction(1, self.order.den)
 
     def _roots(self, v: Vector) -> tuple[Residue, Residue] | None:
-        """Return the two roots modulo P of x² − tr(x)·x + N(x), or None where there are not two."""
+        """Return the two roots modulo P of x² − tr(x)·x + N(x), or None unless there are two."""
         place, trace = self.place, self.residue(self.trace(v))
         found = place.quadratic_root(place.one, place.zero - trace, self.residue(self.norm_of(v)))
         if found is None or found[1] == 0:
@@ -186,7 +186,7 @@ class OrderAtPrime:
         return first, second
 
     def idempotent(self, k: int) -> fmpq_mat:
-        """Return e in the order with e² ≡ e modulo Pᵏ that is neither 0 nor 1 modulo P.
+        """Return e in the order with e² ≡ e modulo Pᵏ and e neither 0 nor 1 modulo P.
 
         Raises :class:`LatticeError` as :attr:`split_element` does.
         """
@@ -196,35 +196,35 @@ class OrderAtPrime:
         scale = self.lift(place.inverse((r - s) % place.modulus))
         e = self._small((x - self._number(self.lift(s))) * ambient.scalar(scale), modulus)
         known = 1
-        while known < k:  # e ↦ 3e² − 2e³ doubles what is known
+        while known < k:  # e ↦ 3e² − 2e³ doubles the known digits
             square = e * ambient.times(e)
             e = self._small(square * 3 - square * ambient.times(e) * 2, modulus)
             known *= 2
         return e
 
     def _number(self, x: BaseNumber) -> fmpq_mat:
-        """Return a number of the field as an element, one row."""
+        """Return a number of the field as an element with one row."""
         return self.ambient.one * self.ambient.scalar(x)
 
     def _small(self, x: fmpq_mat, modulus: int) -> fmpq_mat:
-        """Return an element of the order with coordinates reduced modulo a number."""
+        """Return an element of the order with coordinates reduced modulo ``modulus``."""
         coordinates = (x * self.order.inverse_rows).entries()
         return self.order_row([self.domain.numerator(c) % modulus for c in coordinates])
 
     def corners(self, e: fmpq_mat) -> tuple[fmpq_mat, fmpq_mat]:
-        """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of the order."""
+        """Return e·b·(1 − e) and (1 − e)·b·e for all b in the basis of the order."""
         ambient, rows = self.ambient, self.order.rows
         left = rows * ambient.times(e, "left")
         return left * ambient.times(ambient.one - e), (rows - left) * ambient.times(e)
 
     def ends(self, k: int) -> tuple[LatticeValue, LatticeValue]:
-        """Return the two orders, maximal at P, whose intersection is the order, Eichler of level Pᵏ."""
+        """Return the two orders, maximal at P, whose intersection is the Eichler order of level Pᵏ."""
         first, second = self.corners(self.idempotent(k))
         above = self.base.inverse(self.ideal**k)
         return self._with(second, above), self._with(first, above)
 
     def _with(self, rows: fmpq_mat, ideal: BaseIdeal) -> LatticeValue:
-        """Return the sum of the order and an ideal times what rows span."""
+        """Return the sum of the order and an ideal times the span of rows."""
         den, whole = hermite.rational(rows)
         below, multiples = ideal_multiples(self.ambient, whole, ideal)
         own = self.order
@@ -234,7 +234,7 @@ class OrderAtPrime:
     # --- zero divisors ---------------------------------------------------------------------------
 
     def zero_divisor(self, e: int) -> fmpz_mat:
-        """Return an element outside P·O with norm in Pᵉ, a row over the denominator; O is M₂(ℤ_P)."""
+        """Return an element outside P·O with norm in Pᵉ, as a row over the denominator; O must be M₂(ℤ_P)."""
         found = self._zero_divisors.get(e)
         if found is None:
             found = self._zero_divisors[e] = self._new_zero_divisor(e)
@@ -243,7 +243,8 @@ class OrderAtPrime:
     def _new_zero_divisor(self, e: int) -> fmpz_mat:
         """Find the element on a line with small coordinates.
 
-        There the norm is a quadratic polynomial. An element at a simple root modulo P does not lie in P·O.
+        On this line the norm is a quadratic polynomial. An element at a simple root modulo P does not lie in
+        P·O.
         """
         size = self.ambient.size
         factor, matrix = self.domain.form_factor, self.domain.matrix
@@ -264,7 +265,7 @@ class OrderAtPrime:
         )
 
     def random_unit(self, rng: random.Random, e: int) -> fmpz_mat:
-        """Return a unit of O/Pᵉ, a row over the denominator: each is equally likely."""
+        """Return a uniformly random unit of O/Pᵉ, as a row over the denominator."""
         size, modulus = self.ambient.size, self.power_of_p(e)
         while True:
             v = [self.domain.random(rng, modulus) for _ in range(size)]
@@ -272,7 +273,7 @@ class OrderAtPrime:
                 return self.domain.matrix([v]) * self.order.matrix
 
     def times(self, rows: fmpz_mat, x: fmpz_mat) -> fmpz_mat:
-        """Return rows times an element x, all of the order, over its denominator."""
+        """Return rows times an element x of the order, over the order's denominator."""
         ambient, den = self.ambient, self.order.den
         return hermite.divided(rows * ambient.right_matrix(x.entries()), den * ambient.scale)
 
@@ -313,14 +314,14 @@ class OrderAtPrime:
 
     @cached_property
     def basis_modulo_prime(self) -> list[fmpq_mat]:
-        """Elements, one row each, that are a basis of the order modulo P."""
+        """Elements, one per row, that form a basis of the order modulo P."""
         return independent(self.order.rows, self.times_prime(self.order))
 
     def norm_index(self) -> int:
-        """Return the index of the norms of units of an order with the symbol 0 in the units of ℤ_P.
+        """Return the index, in the units of ℤ_P, of the norms of units of an order with Eichler symbol 0.
 
-        With J the radical they are, modulo squares, the norms of 1 + J, which the 1 + b for bases of all Jᵏ
-        generate. J⁴ is in P·O, so the last ones are 1 modulo 4P, and the norms are squares there.
+        Let J be the radical. Modulo squares the norms are those of 1 + J, which are generated by the norms of
+        1 + b for b in bases of all Jᵏ. J⁴ is in P·O, so from some k on these are 1 modulo 4P, hence squares.
         """
         digits, square_class = self.base.square_classes(self.prime)
         e = self.place.index if self.p == 2 else 0
@@ -339,7 +340,9 @@ class OrderAtPrime:
 
 
 def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
-    """Return some rows that are a basis of what rows span modulo a lattice, over the residues of a prime."""
+    """Return rows that form a basis of the span of ``larger`` modulo a lattice, over the residue field of a
+    prime.
+    """
     found = []
     for row in larger.tolist():
         x = below.ambient.domain.fraction_matrix([row])
@@ -350,7 +353,7 @@ def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
 
 
 def small_lines(domain: EuclideanDomain, size: int) -> Iterator[Line]:
-    """Yield lines: one free coordinate, with small values for the others, which grow without end."""
+    """Yield infinitely many lines: one coordinate is free, the others have small values."""
     for largest in count(1):
         smaller = set(domain.small(largest - 1))
         for rest in product(list(domain.small(largest)), repeat=size - 1):

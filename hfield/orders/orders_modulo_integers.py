@@ -3,7 +3,7 @@
 Modulo a prime power in N there are an idempotent e and a v in (1 − e)·O·e with O·e = ℤ·e + ℤ·v. Elements act
 on this module from the left, and x·e = a·e + c·v and x·v = b·e + d·v give the matrix of x. The coefficients
 a, c, b and d are those of e·x·e, (1 − e)·x·e, e·x·v and (1 − e)·x·v. The Chinese remainder theorem combines
-prime powers.
+the prime powers.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def _modulo_prime_power(order: LatticeValue, p: int, k: int) -> Table:
     images = {"e": order.rows * times(e), "v": order.rows * times(v)}
 
     def coefficients(part: fmpq_mat, images: fmpq_mat, unit: fmpq_mat) -> list[int]:
-        """Return c with part·x = c·unit modulo pᵏ for each image x."""
+        """Return, for each image x, the coefficient c with part·x = c·unit modulo pᵏ."""
         whole = [int(c.p) for c in (unit * inverse).entries()]
         place = next(n for n, c in enumerate(whole) if c % p)
         factor = pow(whole[place], -1, q)
@@ -79,7 +79,8 @@ def _one_row(entries: Sequence[fmpq]) -> fmpq_mat:
 
 
 class ResidueMatrices:
-    """An isomorphism of O/NO with M₂(ℤ/N): ``M(x)`` is the matrix of x, ``M.lift(m)`` an element with it.
+    """An isomorphism of O/NO with M₂(ℤ/N): ``M(x)`` is the matrix of x, ``M.lift(m)`` an element with matrix
+    m.
 
     >>> from hfield import QuaternionAlgebra
     >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); M = O.modulo(35)
@@ -115,7 +116,7 @@ class ResidueMatrices:
         return ResidueMatrices, (self.order, self.modulus, list(factorise(self.modulus)))
 
     def __call__(self, x: object) -> Matrix:
-        """Return the matrix of an element, entries from 0 to N − 1.
+        """Return the matrix of an element, with entries from 0 to N − 1.
 
         Denominators prime to N are inverted. Raises :class:`LatticeError` for other elements.
         """
@@ -131,9 +132,10 @@ class ResidueMatrices:
         return (a, b), (c, d)
 
     def lift(self, matrix: Iterable[Iterable[object]]) -> Quaternion:
-        """Return the element of the order with a matrix and coordinates of absolute value at most N/2.
+        """Return the element of the order with a given matrix; its coordinates are at most N/2 in absolute
+        value.
 
-        Raises :class:`LatticeError` for what is no 2 × 2 matrix of integers.
+        Raises :class:`LatticeError` unless the argument is a 2 × 2 matrix of integers.
         """
         rows = [list(row) for row in matrix]
         if [len(row) for row in rows] != [2, 2]:
@@ -148,7 +150,7 @@ class ResidueMatrices:
     def ideal(self, v: Iterable[object]) -> Ideal:
         """Return the left ideal of all x in the order with M(x)·v = 0 modulo N, of norm N.
 
-        v is primitive modulo N: no prime of N divides both entries. Raises :class:`LatticeError`.
+        v must be primitive modulo N: no prime factor of N divides both entries. Raises :class:`LatticeError`.
         """
         entries = [integer(x, "entry") for x in v]
         if len(entries) != 2:
@@ -165,8 +167,8 @@ class ResidueMatrices:
     def kernel(self, ideal: Ideal) -> tuple[int, int]:
         """Return a primitive v with M(x)·v = 0 modulo N for all x in a left ideal, unique up to units.
 
-        The ideal and N·O generate an ideal of norm N with a cyclic quotient. Raises :class:`LatticeError`
-        for another ideal.
+        The ideal and N·O must generate an ideal of norm N with a cyclic quotient. Raises
+        :class:`LatticeError` for another ideal.
         """
         n, value = self.modulus, self.order.value
         if getattr(ideal, "side", "right") == "right" or ideal.order != self.order:
@@ -193,7 +195,7 @@ class ResidueMatrices:
 
 
 def _normalised(x: int, y: int, n: int) -> tuple[int, int]:
-    """Return a multiple of a vector by a unit, with a first or second entry 1 where it can be."""
+    """Return a multiple of a vector by a unit, with first or second entry 1 if possible."""
     if math.gcd(x, n) == 1:
         return 1 % n, y * pow(x, -1, n) % n
     if math.gcd(y, n) == 1:

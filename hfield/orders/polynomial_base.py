@@ -1,8 +1,8 @@
-"""The polynomials 𝔽_q[t] as a base of orders, the third kind of base besides ℤ and ℤ_K.
+"""The polynomials 𝔽_q[t] as a base of orders, besides ℤ and ℤ_K.
 
 Lattices are matrices of rank 4 over 𝔽_q[t]. The ideals of 𝔽_q[t] are principal, its units are the constants,
 and the one infinite place is that of 1/t. An algebra is called definite if it ramifies at infinity. The
-constants modulo squares take the part of the totally positive units modulo squares.
+constants modulo squares take the place of the totally positive units modulo squares.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 class PolynomialNarrowClass:
-    """The ideals of 𝔽_q[t] modulo their generators."""
+    """The trivial group of ideals of 𝔽_q[t] modulo principal ideals."""
 
     order = 1
     group = TrivialClassGroup()
@@ -54,7 +54,7 @@ class PolynomialNarrowClass:
 
 
 class PolynomialBase:
-    """The ring 𝔽_q[t]; the coordinates of quaternions are those over 1, I, J, IJ with integral constants."""
+    """The ring 𝔽_q[t]; quaternions have coordinates over 1, I, J, IJ with integral constants."""
 
     degree = 1
     is_rational = False
@@ -298,7 +298,7 @@ class PolynomialBase:
 
     @property
     def mass_factor(self) -> Fraction:
-        """1/(q² − 1), the value −ζ(−1) of the zeta function of 𝔽_q[t]."""
+        """The value −ζ(−1) = 1/(q² − 1) of the zeta function of 𝔽_q[t]."""
         return Fraction(1, self.order**2 - 1)
 
     @property
@@ -342,7 +342,7 @@ class PolynomialBase:
         return Fraction(1)
 
     def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[BaseNumber, int]:
-        """Return a dict, ordered by degrees."""
+        """Return a dict ordered by degree."""
         key = self.domain.sort_key
         norms = {self.domain.fraction(x, counts.den): n for (x,), n in counts.numbers.items()}
         ordered = sorted(norms.items(), key=lambda pair: key((pair[0].num,)))

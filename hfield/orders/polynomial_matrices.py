@@ -1,7 +1,7 @@
 """Matrices of polynomials and of rational functions over finite fields, with the methods of flint's matrices.
 
-The methods are named as those of ``fmpz_mat`` and ``fmpq_mat``, so that functions on lattices work with both.
-flint has polynomials over GF(q), ``fq_default_poly``, but no matrices of them.
+The methods have the names of those of ``fmpz_mat`` and ``fmpq_mat``, so that functions on lattices work with
+both. flint has polynomials over GF(q), ``fq_default_poly``, but no matrices of them.
 """
 
 from __future__ import annotations
@@ -105,7 +105,9 @@ class PolynomialMatrix:
         return PolynomialMatrix(self.domain, n, self._rows, entries)
 
     def hnf(self) -> PolynomialMatrix:
-        """Return the row Hermite form: echelon, with monic pivots of larger degree than the entries above."""
+        """Return the row Hermite form: an echelon form with monic pivots of larger degree than the entries
+        above them.
+        """
         rows, size = self.tolist(), self._columns
         top = 0
         for k in range(size):
@@ -141,7 +143,9 @@ class PolynomialMatrix:
         return FractionMatrix(PolynomialMatrix(self.domain, size, size, entries), det)
 
     def nullspace(self) -> tuple[PolynomialMatrix, int]:
-        """Return a matrix whose first columns are a basis of the x with matrix·x = 0, and their number."""
+        """Return a matrix whose first columns are a basis of all x with matrix·x = 0, and the number of these
+        columns.
+        """
         size, one, zero = self._columns, self.domain.one, self.domain.zero
         table = self.transpose().tolist()
         rows = [row + [one if m == k else zero for m in range(size)] for k, row in enumerate(table)]
@@ -250,7 +254,7 @@ def fractions(
 
 
 def _subtract(row: Row, other: Row, factor: fq_default_poly, start: int) -> None:
-    """Subtract a multiple of another row, from a column on."""
+    """Subtract a multiple of another row, starting at a column."""
     if factor:
         for k in range(start, len(row)):
             if other[k]:
@@ -274,7 +278,7 @@ def _eliminate(rows: list[Row], top: int, k: int) -> bool:
 
 
 def _monic(row: Row, k: int) -> Row:
-    """Return a row times the constant that makes the entry of column k monic."""
+    """Return a row times the constant that makes its entry in column k monic."""
     lead = row[k].leading_coefficient()
     if lead == 1:
         return row
@@ -285,7 +289,9 @@ def _monic(row: Row, k: int) -> Row:
 def _eliminated(
     rows: list[Row], size: int, one: fq_default_poly
 ) -> tuple[fq_default_poly, list[Row]]:
-    """Reduce the first columns of rows to d times the identity, without fractions (Bareiss); return d too."""
+    """Reduce the first columns of rows to d times the identity without fractions (Bareiss); return
+    d as well.
+    """
     before = one
     for k in range(size):
         pivot = next((m for m in range(k, size) if rows[m][k]), None)

@@ -2,9 +2,9 @@
 
 A form f is a matrix F, not necessarily symmetric, with the values ``f(x) = x·F·x``. The degree of f(x) is a
 norm: deg f(x + y) ≤ max(deg f(x), deg f(y)). In a reduced basis the degree of ``f(Σ cₙ·bₙ)`` is the largest
-of the degrees of ``f(cₙ·bₙ)``. So the vectors with values of bounded degree are a vector space over 𝔽_q, and
-multiples of the bₙ are a basis of it. The leading terms of values whose degrees have one parity are norms
-from the field with q² elements. A basis is reduced when those of each parity are independent over 𝔽_q.
+of the degrees of ``f(cₙ·bₙ)``. So the vectors with values of bounded degree form a vector space over 𝔽_q, and
+multiples of the bₙ are a basis of it. The leading terms of values whose degrees have the same parity are
+norms from the field with q² elements. A basis is reduced if those of each parity are independent over 𝔽_q.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class PolynomialVectors:
     # --- reduction ---------------------------------------------------------------------------------
 
     def reduced(self, form: PolynomialMatrix) -> tuple[PolynomialMatrix, PolynomialMatrix]:
-        """Return a form on a reduced basis, and the basis, one vector a row."""
+        """Return a form on a reduced basis, and the basis, one vector per row."""
         domain, rows = self._domain, form.tolist()
         size, gen = len(rows), domain.field.gen.num
         change = [[domain.one if m == k else domain.zero for m in range(size)] for k in range(size)]
@@ -55,7 +55,9 @@ class PolynomialVectors:
     def _relation(
         self, form: list[list[fq_default_poly]]
     ) -> tuple[int, list[tuple[int, fq_default]]] | None:
-        """Return a vector whose leading term is a combination of those of vectors that are not longer."""
+        """Return a vector whose leading term is a combination of the leading terms of vectors that are at
+        most as long.
+        """
         degrees = [row[k].degree() for k, row in enumerate(form)]
         for parity in (0, 1):
             some = sorted(
@@ -72,7 +74,9 @@ class PolynomialVectors:
     def _combination(
         self, form: list[list[fq_default_poly]], degrees: list[int], k: int, kept: list[int]
     ) -> list[tuple[int, fq_default]] | None:
-        """Return the coefficients of a leading term in others, or None where it is independent of them."""
+        """Return the coefficients of a leading term in terms of others, or None if it is
+        independent of them.
+        """
         if not kept:
             return None
 
@@ -99,9 +103,9 @@ class PolynomialVectors:
     # --- enumeration -------------------------------------------------------------------------------
 
     def least_vectors(self, form: Form) -> tuple[int, list[Vector]]:
-        """Return the least degree of a value, and one of the multiples by constants of each x that has it.
+        """Return the least degree of a value, and each x with this degree up to multiplication by constants.
 
-        The form is reduced, as in the other methods.
+        The form must be reduced, as for the other methods.
         """
         degrees = [row[k].degree() for k, row in enumerate(form)]
         least, domain, size = min(degrees), self._domain, len(form)
@@ -117,31 +121,31 @@ class PolynomialVectors:
         return least, found
 
     def dimension(self, form: Form, degree: int) -> int:
-        """Return the dimension over GF(q) of the vectors with values of at most a degree."""
+        """Return the dimension over GF(q) of the space of vectors with values up to a degree."""
         return sum(map(len, self._exponents(form, degree)))
 
     def _exponents(self, form: Form, degree: int) -> list[range]:
-        """Return the exponents of t in the coordinates of vectors with values of at most a degree."""
+        """Return the exponents of t in the coordinates of the vectors with values up to a degree."""
         return [range(max((degree - row[k].degree()) // 2 + 1, 0)) for k, row in enumerate(form)]
 
     def number(self, form: Form, degree: int) -> int:
-        """Return how many vectors have values of at most a degree."""
+        """Return the number of vectors with values up to a degree."""
         return int(self._field.order ** self.dimension(form, degree))
 
     def volume(self, form: Form, value: fq_default_poly, rank: int) -> float:
-        """Return how many vectors have values of at most the degree of a value."""
+        """Return the number of vectors whose values have at most the degree of ``value``."""
         return float(self.number(form, value.degree()))
 
     def vectors_of_length(
         self, form: Form, value: fq_default_poly, expected: str | None = None
     ) -> Iterator[Vector]:
-        """Yield one of ±x for every x with a value that is not 0."""
+        """Yield one of ±x for every x with a given nonzero value."""
         for x, found in self.short_vectors(form, value.degree()):
             if found == value:
                 yield x
 
     def short_vectors(self, form: Form, degree: int) -> Iterator[tuple[Vector, fq_default_poly]]:
-        """Yield one of ±x for every x ≠ 0 with a value of at most a degree, and the value.
+        """Yield one of ±x for every x ≠ 0 with a value up to a degree, with the value.
 
         Raises :class:`TooLargeError` for more than 10⁷ vectors.
         """
@@ -178,7 +182,7 @@ class PolynomialVectors:
             )
 
     def _is_positive(self, x: fq_default_poly) -> bool:
-        """Return whether x is the chosen one of x and −x."""
+        """Return whether x is the representative of ±x."""
         c = x.leading_coefficient()
         label = self._field.label
         return bool(label(c) <= label(-c))

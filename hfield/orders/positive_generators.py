@@ -1,8 +1,8 @@
 """Totally positive generators of ideals of a totally real field, and the totally positive units.
 
 The reduced norms of a totally definite algebra are the totally positive elements (Hasse and Schilling). If x
-is multiplied by a unit of the field, N(x) is multiplied by its square. So algorithms need the narrow class of
-an ideal, and the totally positive units modulo squares.
+is multiplied by a unit of the field, N(x) is multiplied by its square. So the algorithms need the narrow
+class of an ideal, and the totally positive units modulo squares.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 def _units_by_signs(
     ring: NumberField, places: tuple[int, ...]
 ) -> dict[tuple[int, ...], list[FieldElement]]:
-    """Return one unit for each coset of the squares of units, by their signs at real places, 1 first."""
+    """Return one unit for each coset of the squares of units, by signs at real places, 1 first."""
     frame = integers(ring)
     found: dict[tuple[int, ...], list[FieldElement]] = {}
     units = [frame.field.one]
-    # the root of unity is −1 where there are real places
+    # the root of unity is −1 if there are real places
     for g in (ring.unit_group().torsion, *ring.unit_group().generators):
         units += [g * u for u in units]
     for u in units:
@@ -40,7 +40,7 @@ def _signs(x: FieldElement, places: tuple[int, ...]) -> tuple[int, ...]:
 def generators(ideal: FractionalIdeal, places: tuple[int, ...]) -> list[FieldElement]:
     """Return the generators of a fractional ideal that are positive at some real places.
 
-    One for each coset of the squares of units; none where there are none.
+    The result has one generator for each coset of the squares of units; it is empty if there are none.
     """
     generator = ideal.is_principal().generator
     if generator is None:
@@ -60,12 +60,12 @@ def _all_places(ring: NumberField) -> tuple[int, ...]:
 
 
 def totally_positive_generator(ideal: FractionalIdeal) -> FieldElement | None:
-    """Return a totally positive generator of a fractional ideal, or None where there is none."""
+    """Return a totally positive generator of a fractional ideal, or None if there is none."""
     return next(iter(generators(ideal, _all_places(ideal.ring))), None)
 
 
 class NarrowClasses:
-    """Write ideals as products ν·a with ν totally positive and a in a set of representatives of narrow
+    """Write ideals as ν·a, with ν totally positive and a in a list of representatives of the narrow
     classes.
     """
 
@@ -76,7 +76,7 @@ class NarrowClasses:
         self.ideals: list[FractionalIdeal] = []
 
     def split(self, ideal: FractionalIdeal) -> tuple[int, FieldElement]:
-        """Return the number of a and ν. Numbers count from 0 as classes are met."""
+        """Return the index of a, and ν. Classes are numbered from 0 in the order in which they occur."""
         known = self.group.class_of(ideal) if self.order > 1 else ()
         if known not in self._numbers:
             self._numbers[known] = len(self.ideals)

@@ -1,6 +1,6 @@
 """Pseudo-bases: a module over the integers of a field as a direct sum of ideals times vectors; free bases.
 
-A vector of m numbers is a row of m·n rational numbers: the coordinates of each in an integral basis.
+A vector of m numbers is a row of m·n rational numbers: the coordinates of each number in an integral basis.
 """
 
 from __future__ import annotations
@@ -30,27 +30,29 @@ COEFFICIENTS = 12  # of b in Steinitz's step that are tried; most are good
 
 
 def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
-    """Return the Hermite normal form, square, of integer rows of full rank."""
+    """Return the Hermite normal form, a square matrix, of integer rows of full rank."""
     return flint.fmpz_mat(size, size, flint.fmpz_mat(rows).hnf().entries()[: size * size])
 
 
 def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint.fmpq]]:
-    """Return a basis in Hermite's form of the lattice that rational rows of full rank span."""
+    """Return a basis in Hermite form of the lattice spanned by rational rows of full rank."""
     whole, below = flint.fmpq_mat(rows).numer_denom()
     found: list[list[flint.fmpq]] = (flint.fmpq_mat(hermite(whole.tolist(), size)) / below).tolist()
     return found
 
 
 def multiplication(base: Base, x: BaseNumber, m: int = 1) -> flint.fmpq_mat:
-    """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
+    """Return the matrix of multiplication by x on vectors of Kᵐ, acting on rows of coordinates from the
+    right.
+    """
     block = base.coordinate_rows([w * x for w in base.integral_basis]).tolist()
     zero = [flint.fmpq(0)] * base.degree
     return flint.fmpq_mat([zero * k + row + zero * (m - 1 - k) for k in range(m) for row in block])
 
 
 def inverse_ideal(base: Base, ideal: list[BaseNumber]) -> list[BaseNumber]:
-    """Return a basis over ℤ of the x with x·I integral, for the basis of an ideal I."""
-    # coordinates v with v·B integral for all columns B: v is in the inverse of the lattice of these
+    """Return a ℤ-basis of all x with x·I integral, given a basis of an ideal I."""
+    # coordinates v with v·B integral for all columns B: v is in the inverse of their lattice
     columns = [c for y in ideal for c in multiplication(base, y).transpose().tolist()]
     lattice = flint.fmpq_mat(rational_hermite(columns, base.degree))
     return [base.element_of(row) for row in lattice.transpose().inv().tolist()]
@@ -67,7 +69,9 @@ def _free(lattice: LatticeValue) -> PseudoBasis:
 
 
 def by_last_coordinates(lattice: LatticeValue) -> PseudoBasis:
-    """Return a pseudo-basis by the ideals of the last coordinates, over ℤ and ℤ_K."""
+    """Return a pseudo-basis over ℤ or ℤ_K: pairs of an ideal, given by a basis over ℤ, and an element of the
+    algebra.
+    """
     ambient = lattice.ambient
     return tuple(
         (tuple(map(ambient.base.outside, ideal)), ambient.quaternion(row))
@@ -78,14 +82,15 @@ def by_last_coordinates(lattice: LatticeValue) -> PseudoBasis:
 def _pseudo_basis(
     base: Base, rows: flint.fmpq_mat
 ) -> list[tuple[tuple[BaseNumber, ...], list[flint.fmpq]]]:
-    """Return ideals Iₜ and vectors xₜ: a module of full rank in Kᵐ is the direct sum of the Iₜ·xₜ.
+    """Return ideals Iₜ and vectors xₜ such that a module of full rank in Kᵐ is the direct sum of the Iₜ·xₜ.
 
-    From the last coordinate on: the coordinates there are an ideal I, and I⁻¹ times the module has a vector
-    whose coordinate is 1; what is left are the vectors where it is 0 (Voight, *Quaternion Algebras*, 9.3.6).
+    The last coordinates of all vectors form an ideal I. I⁻¹ times the module has a vector with last
+    coordinate 1, and the method continues with the vectors with last coordinate 0 (Voight, *Quaternion
+    Algebras*, 9.3.6).
     """
     n, size = base.degree, rows.nrows()
     out = []
-    # the last coordinate first, so that Hermite's form sets aside the vectors where it is 0
+    # the last coordinate first, so that the Hermite form separates the vectors in which it is 0
     module = [_turned(row, n) for row in rows.tolist()]
     while size:
         module = rational_hermite(module, size)
@@ -104,15 +109,15 @@ def _pseudo_basis(
 
 
 def _turned(row: list[flint.fmpq], n: int) -> list[flint.fmpq]:
-    """Return the coordinates, n numbers each, in the opposite order."""
+    """Return the coordinates in blocks of n, with the blocks in reverse order."""
     return [c for k in range(len(row) - n, -1, -n) for c in row[k : k + n]]
 
 
 def basis_modulo_numbers(order: LatticeValue) -> tuple[Quaternion, Quaternion, Quaternion]:
-    """Return i, j, k with which 1 is a basis of an order, up to numbers of the field that may be added.
+    """Return i, j, k that form with 1 a basis of an order; numbers of the field may be added to them.
 
-    In degree 1 it is reduced where the algebra is definite. Raises :class:`LatticeError` for an order that is
-    no free module.
+    In degree 1 the basis is reduced if the algebra is definite. Raises :class:`LatticeError` for an order
+    that is not a free module.
     """
     ambient = order.ambient
     if ambient.degree == 1:
@@ -125,11 +130,11 @@ def basis_modulo_numbers(order: LatticeValue) -> tuple[Quaternion, Quaternion, Q
 
 
 def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, ...]:
-    """Return a basis of a module that is given by ideals and vectors, one that is free.
+    """Return a basis of a free module that is given by ideals and vectors.
 
     ``I·x + J·y`` is ``ℤ_K·(a·x + b·y) + I·J·(s·y − t·x)`` for a in I and b in J with a·s + b·t = 1, s in I⁻¹
-    and t in J⁻¹ (Steinitz): what is left at last is principal exactly where the module is free. Raises
-    :class:`LatticeError` for another one.
+    and t in J⁻¹ (Steinitz). The ideal that remains at the end is principal if and only if the module is free.
+    Raises :class:`LatticeError` if it is not.
     """
     found: list[Quaternion] = []
     left: list[tuple[FractionalIdeal, Quaternion]] = []

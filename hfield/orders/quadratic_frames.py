@@ -16,7 +16,7 @@ from hfield.orders.lattice_values import LatticeValue, discriminant
 
 @dataclass(frozen=True)
 class QuadraticFrame:
-    """α and β in O with N(β) = ``norm`` and s·β = −β·s for s = 2α − t, s² = d, t = d modulo 2."""
+    """Elements α and β of O with N(β) = ``norm`` and s·β = −β·s, for s = 2α − t, s² = d, t = d modulo 2."""
 
     discriminant: int
     norm: int
@@ -30,7 +30,7 @@ class QuadraticFrame:
 
     @property
     def root(self) -> Quaternion:
-        """The root s = 2α − t of the discriminant."""
+        """The square root s = 2α − t of the discriminant."""
         return 2 * self.alpha - self.t
 
     @property
@@ -49,7 +49,7 @@ class QuadraticFrame:
 
 @lru_cache(maxsize=64)
 def frame(order: LatticeValue) -> QuadraticFrame:
-    """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
+    """Return the frame for the quadratic order of least discriminant in an order of a definite algebra."""
     _, _, gram = order.reduced_ternary
     return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
 
@@ -62,7 +62,7 @@ def extremal_frame(order: LatticeValue, largest: int) -> QuadraticFrame | None:
 
 
 def frames(order: LatticeValue, largest: int) -> Iterator[QuadraticFrame]:
-    """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
+    """Yield the frames of all optimally embedded quadratic orders with d ≥ −largest, ordered by |d|."""
     _, _, gram = order.reduced_ternary
     short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
     yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)

@@ -76,10 +76,11 @@ MAX_CLASSES = 20_000
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Embeddings(Verdict["Quaternion"]):
-    """Whether a quadratic order S has optimal embeddings in an order, and these; S has ``discriminant`` d.
+    """The optimal embeddings of a quadratic order S of ``discriminant`` d in an order; false if there are
+    none.
 
-    Each is given by the image of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d. ``reason`` says why
-    there is none.
+    Each embedding is given by the image of ``(t + √d)/2`` with t² ≡ d modulo 4; over ℤ, t = d. ``reason``
+    explains why there is none.
     """
 
     order: Order
@@ -108,7 +109,7 @@ class Embeddings(Verdict["Quaternion"]):
 
     @cached_property
     def representatives(self) -> tuple[Quaternion, ...]:
-        """One image of each orbit under conjugation by units, of norm 1 in indefinite algebras.
+        """One image for each orbit under conjugation by units (in indefinite algebras, by units of norm 1).
 
         Raises :class:`TooLargeError` for a very large d.
         """
@@ -122,10 +123,10 @@ class Embeddings(Verdict["Quaternion"]):
     def image(self, x: object) -> Quaternion:
         """Return the image of an element of the quadratic field F(√d) under the embedding of :attr:`element`.
 
-        ``x`` is a pair (u, v) of numbers of F, for u + v·(t + √d)/2; a number of F; or over ℚ an element of
-        a quadratic number field of hfield, with √d the positive multiple of the difference of the generator
-        and its conjugate. Raises :class:`LatticeError` for others, and where there is no embedding, and
-        :class:`CoercionError` or :class:`NotationError` where u or v is no number of F.
+        ``x`` is a pair (u, v) of numbers of F, for u + v·(t + √d)/2; or a number of F; or over ℚ an element
+        of a quadratic number field of hfield. In the last case √d is the positive multiple of the difference
+        of the generator and its conjugate. Raises :class:`LatticeError` for other x and if there is no
+        embedding, and :class:`CoercionError` or :class:`NotationError` if u or v is not a number of F.
 
         >>> from hfield import QuaternionAlgebra, ring
         >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
@@ -167,12 +168,12 @@ class Embeddings(Verdict["Quaternion"]):
     def ideal(
         self, a: NumberFieldIdeal | PrimeIdeal | Iterable[object], side: str = "left"
     ) -> Ideal:
-        """Return the left ideal ``O·φ(a)`` for an ideal a of the quadratic order, φ being the embedding.
+        """Return the left ideal ``O·φ(a)`` for an ideal a of the quadratic order, where φ is the embedding.
 
-        ``a`` is an ideal or a prime ideal of a quadratic number field, or a list of elements as
-        :meth:`image` reads them, which generate it. With ``side="right"`` it is ``φ(a)·O``. Where a is
-        invertible, so is the result; its norm is that of a, and ``O·φ(a)·φ(b)`` is ``O·φ(ab)``. Raises
-        :class:`LatticeError`, as :meth:`image` does.
+        ``a`` is an ideal or a prime ideal of a quadratic number field, or a list of generators in the
+        notation of :meth:`image`. With ``side="right"`` the result is ``φ(a)·O``. If a is invertible, so is
+        the result; its norm is that of a, and ``O·φ(a)·φ(b)`` is ``O·φ(ab)``. Raises :class:`LatticeError`,
+        and as :meth:`image` does.
 
         >>> from hfield import QuaternionAlgebra, ring
         >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
@@ -196,17 +197,17 @@ class Embeddings(Verdict["Quaternion"]):
     def claim(self) -> CertifiedClaim:
         """The claim that there is an embedding, or none, with its evidence.
 
-        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has none, and no prime is known
-        at which it has none.
+        Raises :class:`LatticeError` over ℤ_K, and in an indefinite algebra if there is no embedding but no
+        prime with a local obstruction is known.
         """
         return certificates.of_embedding(
             self.order.value, self.discriminant, self.element, self.prime
         )
 
     def claim_of_orbits(self) -> CertifiedClaim:
-        """Return the number of orbits, with all of them, as a statement with its evidence.
+        """Return the claim of the number of orbits, with all orbits as evidence.
 
-        It has a ``certificate`` for Eichler orders over ℤ and d < 0; without embeddings it is
+        It has a ``certificate`` for Eichler orders over ℤ and d < 0; if there are no embeddings it equals
         :attr:`claim`. Raises :class:`LatticeError` in a definite algebra and over ℤ_K.
 
         >>> from hfield import QuaternionAlgebra, check
@@ -224,9 +225,9 @@ class Embeddings(Verdict["Quaternion"]):
 def embeddings(
     order: LatticeValue, d: object
 ) -> tuple[tuple[Quaternion, ...], tuple[Quaternion, ...]]:
-    """Return all elements of :class:`Embeddings` and those of the orbits, in a definite algebra.
+    """Return all elements and all representatives of :class:`Embeddings`, in a definite algebra.
 
-    Raises :class:`LatticeError` where d is no totally negative discriminant, :class:`IndefiniteError`.
+    Raises :class:`LatticeError` unless d is a totally negative discriminant, and :class:`IndefiniteError`.
     """
     ambient, base = order.ambient, order.ambient.base
     expect_definite(ambient, "embeddings()")
@@ -250,7 +251,7 @@ def embeddings(
 
 
 def _of_trace_zero(order: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
-    """Yield one of ±s for each primitive s of trace 0 in R + 2O with a norm, totally positive."""
+    """Yield one of ±s for each primitive s of trace 0 in R + 2O with a given totally positive norm."""
     ambient, n = order.ambient, order.ambient.degree
     rational = ambient.base.as_rational(norm)
     if rational is not None:  # Tr(N(s)/ν) is a multiple of Tr(N(s))
@@ -271,13 +272,15 @@ def _of_trace_zero(order: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
 
 
 def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:
-    """Return whether c·v is in the lattice only for integers c of the base, for a vector v of the lattice."""
+    """Return whether c·v lies in the lattice only for integers c of the base; v is a vector of the
+    lattice.
+    """
     multiples = hermite.stacked(vector, *(vector * m for m in multiplications))
     return bool(hermite.volume(multiples.transpose().hnf()) == 1)
 
 
 def multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
-    """Return the matrices of the multiplication by the integral basis but 1 on rows of trace 0."""
+    """Return the matrices of multiplication by the integral basis, except 1, on rows of trace 0."""
     n = ambient.degree
     if n == 1:
         return []
@@ -288,7 +291,7 @@ def multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
 
 
 def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> list[fmpq_mat]:
-    """Return one element of each orbit under conjugation by the units of an order."""
+    """Return one element from each orbit under conjugation by the units of an order."""
     if not elements:
         return []
     times = order.ambient.times
@@ -306,10 +309,10 @@ def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> list[fmpq_mat]:
 
 
 def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -> Quaternion | None:
-    """Return an element of an order with norm n, or None where there is none.
+    """Return an element of an order with norm n, or None if there is none.
 
-    Small n are decided by enumeration. For others an obstruction at a prime is looked for, and then an
-    element: over ℤ in the frame of a quadratic order, elsewhere in random ideals. Raises
+    Small n are decided by enumeration. For other n, an obstruction at a prime is searched for first, and then
+    an element: over ℤ in the frame of a quadratic order, over other bases in random ideals. Raises
     :class:`IndefiniteError`, and :class:`UndecidedError`.
     """
     ambient, base = order.ambient, order.ambient.base
@@ -333,9 +336,10 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
 
 
 def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
-    """Return an element of a norm, a generator of a random ideal, or None. Raises :class:`UndecidedError`.
+    """Return an element of a given norm as generator of a random ideal, or None. Raises
+    :class:`UndecidedError`.
 
-    None is proved: no ideal has this norm.
+    If it returns None, it is proved that no ideal has this norm.
     """
     base = order.ambient.base
     ideals = _random_ideals(order, norm, rng)
@@ -352,7 +356,9 @@ def in_random_ideals(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quat
 
 
 def in_quadratic_orders(order: LatticeValue, norm: BaseNumber, rng: Random) -> Quaternion | None:
-    """Return the same for an order over ℤ; by all means where its discriminant is small."""
+    """Return an element of a given norm in an order over ℤ, or None if none was found; for a small
+    discriminant all methods are tried.
+    """
     n = int(order.ambient.base.trace(norm).p)
     found = element_of_large_norm(order, n, rng)
     if found is not None:
@@ -364,7 +370,7 @@ def in_quadratic_orders(order: LatticeValue, norm: BaseNumber, rng: Random) -> Q
             p = int(fraction(P))
             if total % p**2 == 0:
                 continue
-            # the elements of norms that p divides are those of the two-sided prime ideal
+            # the elements whose norm p divides are those of the two-sided prime ideal
             e, rest = remove(rest, p)
             factor *= p ** (e // 2)
             if e % 2:
@@ -387,7 +393,9 @@ def _first_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Quaternion | None
 def _random_ideals(
     order: LatticeValue, norm: BaseNumber, rng: Random
 ) -> Iterator[LatticeValue] | None:
-    """Return some random right ideals of an order whose norm is generated by a number; None if none exist."""
+    """Return several random right ideals of an order with norm generated by a given number; None if none
+    exist.
+    """
     base, whole = order.ambient.base, discriminant(order)
     known, all_at_prime, good = [], [], base.one
     for P, e in base.factorisation(base.principal(norm)):
@@ -468,7 +476,7 @@ def is_obstructed(order: LatticeValue, prime: Prime, norm: BaseNumber) -> bool:
 
 
 def _classes(at: OrderAtPrime) -> Iterator[fmpz_mat]:
-    """Yield the coordinates of one element of each class of an order modulo P times it, 0 first."""
+    """Yield coordinates of representatives of an order modulo P times it, 0 first."""
     scalars = [at.ambient.scalar(c) for c in at.representatives]
     multiples = [[at.coordinates(b * c) for c in scalars] for b in at.basis_modulo_prime]
     for chosen in product(*multiples):

@@ -2,11 +2,12 @@
 
 The functions on the classes are split by their Atkin–Lehner signs at the primes of the discriminant and of
 the level. For a squarefree level each system of eigenvalues occurs at most once in a space of given signs.
-This includes oldforms: one from level M occurs with both signs at the primes of the level not dividing M.
+This includes oldforms: one from level M occurs with both signs at the primes of the level that do not divide
+M.
 
 In each space Lanczos' recurrence (:mod:`hfield.core.lanczos`) finds the eigenspaces of T_P for all rational
-integers, as integer vectors that are verified, and proves that there are no others. Eigenspaces of several
-dimensions are split by other Hecke operators, of which a few rows are computed.
+integers, as verified integer vectors, and proves that there are no others. Eigenspaces of dimension above 1
+are split by other Hecke operators, of which only a few rows are computed.
 """
 
 from __future__ import annotations
@@ -55,7 +56,8 @@ MAX_SPLITTING_PRIMES = 30
 class RationalNewform:
     """A newform of weight 2 with rational eigenvalues, as a function on the ideal classes.
 
-    ``f[P]`` is the eigenvalue at a prime: off the level it takes one row of neighbours, N(P) + 1 look-ups.
+    ``f[P]`` is the eigenvalue at a prime. At a prime away from the level it takes one row of neighbours, that
+    is, N(P) + 1 look-ups.
     """
 
     classes: Classes
@@ -65,7 +67,7 @@ class RationalNewform:
 
     @property
     def signs(self) -> dict[Prime, int]:
-        """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
+        """The Atkin–Lehner signs at the primes of the level and of the discriminant."""
         base = self.classes.ambient.base
         return {_shown(base, P): sign for P, sign in self.by_prime.items()}
 
@@ -75,7 +77,7 @@ class RationalNewform:
 
     @cached_property
     def _least(self) -> int:
-        """The class with the least value other than 0."""
+        """The class with the nonzero value of least absolute value."""
         values = self.values
         return min((n for n, x in enumerate(values) if x), key=lambda n: abs(values[n]))
 
@@ -87,7 +89,7 @@ class RationalNewform:
         return value
 
     def eigenvalues(self, number: int) -> dict[Prime, int]:
-        """Return the eigenvalues at the first primes off the level and the discriminant."""
+        """Return the eigenvalues at the first primes that divide neither the level nor the discriminant."""
         primes = islice(good_primes(self.classes.order), number)
         return {_shown(self.classes.ambient.base, P): self[P] for P in primes}
 
@@ -99,10 +101,10 @@ class RationalNewform:
 def rational_newforms(
     classes: Classes, make: Callable[[BaseIdeal], Classes], executor: Executor | None = None
 ) -> list[RationalNewform]:
-    """Return all newforms of weight 2 with rational eigenvalues, of trivial character, of a squarefree level.
+    """Return all newforms of weight 2, rational eigenvalues, trivial character and a squarefree level.
 
-    ``make`` returns the classes of another level. Raises :class:`LatticeError` for another level, and
-    :class:`UndecidedError` where it is not proved that there are no more.
+    ``make`` returns the classes of another level. Raises :class:`LatticeError` for a level that is not
+    squarefree, and :class:`UndecidedError` if the list is not proved to be complete.
     """
     order, base = classes.order, classes.ambient.base
     factors = base.factorisation(level(order))
@@ -151,7 +153,7 @@ def _new(
 
 
 def _recognised(form: RationalNewform, found: Sequence[RationalNewform]) -> RationalNewform:
-    """Return the one of several functions that has the eigenvalues of a newform of lower level."""
+    """Return the function, among several, that has the eigenvalues of a newform of lower level."""
     if not found:
         raise AssertionError("an oldform is missing")
     for P in islice(good_primes(found[0].classes.order), MAX_SPLITTING_PRIMES):
@@ -164,7 +166,7 @@ def _recognised(form: RationalNewform, found: Sequence[RationalNewform]) -> Rati
 
 
 class RationalSystems:
-    """The rational systems of eigenvalues in a space of functions, one integer vector each."""
+    """The rational systems of eigenvalues in a space of functions, one integer vector for each."""
 
     def __init__(self, space: SignSpace, executor: Executor | None = None) -> None:
         self.space, self.executor = space, executor
@@ -187,7 +189,7 @@ class RationalSystems:
         )
 
     def _eigenspaces(self, operator: SparseOperator, bound: int) -> list[list[np.ndarray]] | None:
-        """Return bases of the eigenspaces of the integers up to a bound, or None if they are not proved."""
+        """Return bases of the eigenspaces for the integers up to a bound, or None if they are not proved."""
         residues: dict[int, list[np.ndarray]] = {}
         for _ in range(MAX_STARTS):
             start = np.array([self._rng.randrange(PRIME) for _ in range(operator.size)])
@@ -259,7 +261,7 @@ class RationalSystems:
 
 
 def _shown(base: Base, prime: Prime) -> Prime:
-    """Return a prime as the base field has it."""
+    """Return a prime as an object of the base field."""
     above = base.primes_above(base.place(prime).below)
     return next(P for P, Q in above if prime == Q)
 

@@ -1,8 +1,8 @@
 """Elements of a given large norm in an order over ℤ, by quadratic frames (RepresentInteger).
 
-A frame ``ℤ[α] + ℤ[α]·β`` has the norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a prime
-about once in as many times as it has digits, and Cornacchia's algorithm represents it by f: so elements are
-found whose norm has hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path
+A frame ``ℤ[α] + ℤ[α]·β`` has the norm form ``f(x, y) + N(β)·f(z, w)``. For random z and w the remaining norm
+is prime with probability about 1/log, and then Cornacchia's algorithm represents it by f. So elements can be
+found whose norms have hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path
 problem", 2014, section 3.2).
 """
 
@@ -31,7 +31,7 @@ TRIALS = 50_000
 def represent(d: int, m: int) -> tuple[int, int] | None:
     """Return (x, y) with ``x² + t·xy + n·y² = m``, t = d modulo 2, n = (t − d)/4, or None if none was found.
 
-    For m a prime times a product of primes up to 13 only.
+    It works only if m is a prime times a product of primes up to 13.
     """
     t = d % 2
     n = (t - d) // 4
@@ -69,7 +69,7 @@ def _small(d: int, p: int) -> tuple[int, int] | None:
 def likely(m: int) -> bool:
     """Return whether m is a probable prime; trial division excludes most composite numbers.
 
-    No proof is needed: what is represented is an element, and its norm is known.
+    No proof is needed, because the norm of the element that is found is computed.
     """
     return (m < 40_000 or math.gcd(m, SMALL_PRIMES) == 1) and is_probable_prime(m)
 
@@ -97,13 +97,15 @@ def cornacchia(d: int, m: int) -> tuple[int, int] | None:
 
 
 def element_of_large_norm(order: LatticeValue, n: int, rng: random.Random) -> Quaternion | None:
-    """Return an element of norm n, large, of an order over ℤ, or None where none was found."""
+    """Return an element of large norm n in an order over ℤ, or None if none was found."""
     f = frame(order)
     return in_frame(f, n, rng) if n % f.norm else _multiple_of_beta(f, n, rng)
 
 
 def _multiple_of_beta(f: QuadraticFrame, n: int, rng: random.Random) -> Quaternion | None:
-    """Return an element of a norm n that N(β) divides: β times one of norm n/N(β), or any."""
+    """Return an element whose norm n is divisible by N(β): β times an element of norm n/N(β), or
+    any other.
+    """
     found = in_frame(f, n // f.norm, rng, TRIALS // 10)
     return in_frame(f, n, rng) if found is None else f.beta * found
 
@@ -111,7 +113,7 @@ def _multiple_of_beta(f: QuadraticFrame, n: int, rng: random.Random) -> Quaterni
 def in_frame(
     f: QuadraticFrame, n: int, rng: random.Random, trials: int = TRIALS
 ) -> Quaternion | None:
-    """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after so many trials."""
+    """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after ``trials`` attempts."""
     bound = n // f.norm
     # f(z, w) ≥ |d|/(4·n)·z² and ≥ |d|/4·w²
     widest = math.isqrt(4 * bound // -f.discriminant)

@@ -13,7 +13,7 @@ Rows: TypeAlias = "list[list[fq_default_poly]]"
 
 
 class ResidueMatrix:
-    """A matrix of polynomials modulo ``p``; entries are reduced."""
+    """A matrix of polynomials modulo ``p``, with reduced entries."""
 
     def __init__(self, domain: PolynomialDomain, rows: Rows, p: fq_default_poly) -> None:
         self.domain, self.rows, self.p = domain, rows, p

@@ -8,7 +8,7 @@ from flint import nmod_mat
 
 
 def lifted(residues: Iterable[tuple[int, Sequence[int]]], bound: int) -> list[int]:
-    """Return the integers of absolute value up to a bound that have given residues modulo primes.
+    """Return the integers of absolute value up to a bound with given residues modulo primes.
 
     >>> lifted([(5, [2, 4]), (7, [3, 1]), (11, [4, 5])], 100)
     [-18, -6]
@@ -30,14 +30,14 @@ def lifted(residues: Iterable[tuple[int, Sequence[int]]], bound: int) -> list[in
 
 
 def echelon_form(rows: nmod_mat) -> nmod_mat:
-    """Return the reduced echelon form of a matrix modulo a prime, without rows of zeros."""
+    """Return the reduced echelon form of a matrix modulo a prime, without zero rows."""
     found, rank = rows.rref()
     p = int(rows.modulus())
     return nmod_mat(rank, rows.ncols(), found.entries()[: rank * rows.ncols()], p)
 
 
 def pivots(rows: nmod_mat) -> list[int]:
-    """Return the columns of the pivots of a matrix in reduced echelon form without rows of zeros."""
+    """Return the pivot columns of a matrix in reduced echelon form without zero rows."""
     return [next(k for k, c in enumerate(row) if c) for row in rows.tolist()]
 
 
@@ -47,7 +47,7 @@ def identity(size: int, p: int) -> nmod_mat:
 
 
 def fixed_by(matrix: nmod_mat, basis: nmod_mat) -> nmod_mat:
-    """Return a basis, in echelon form, of the vectors in the span of rows that a matrix fixes."""
+    """Return a basis, in echelon form, of the vectors in a row space that a matrix fixes."""
     rows = basis.nrows()
     moved = matrix * basis.transpose() - basis.transpose()
     kernel, rank = moved.nullspace()

@@ -1,10 +1,10 @@
 """The norm on a lattice of a totally definite algebra: short elements, elements of given norm, theta series.
 
-For totally positive c the form Tr(c·N(x)) is positive definite over ℤ. An element of norm ν has the value
-n = [K : ℚ] in the form with c = 1/ν. By the inequality of arithmetic and geometric means, this is the least
-value of all x ≠ 0 with N(x)/ν integral. So equivalences, generators and units are vectors of the least
-possible length. An enumeration finds them or proves that there are none (J. Voight, *Quaternion Algebras*,
-section 17.6; M. Kirschmer and J. Voight, *SIAM J. Comput.* 39, 2010). All computations use integers.
+For totally positive c the form Tr(c·N(x)) is positive definite over ℤ. An element of norm ν has the value n =
+[K : ℚ] in the form with c = 1/ν. By the inequality of arithmetic and geometric means this is the least value
+for all x ≠ 0 with N(x)/ν integral. So equivalences, generators and units are vectors of least possible
+length. An enumeration finds them or proves that there are none (J. Voight, *Quaternion Algebras*, section
+17.6; M. Kirschmer and J. Voight, *SIAM J. Comput.* 39, 2010). All computations use integers.
 """
 
 from __future__ import annotations
@@ -54,14 +54,14 @@ def up_to(lattice: LatticeValue, bound: int) -> Iterator[tuple[Row, int]]:
 
 
 def least_norm(lattice: LatticeValue) -> int:
-    """Return the least Tr(N(x)) for x ≠ 0, as a multiple of the content: over ℤ of the norm."""
+    """Return the least Tr(N(x)) for x ≠ 0, as a multiple of the content (over ℤ, of the norm)."""
     domain = lattice.ambient.domain
     least: int = domain.vectors.least_vectors(lattice.reduced[1])[0] // domain.form_factor
     return least
 
 
 def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
-    """Return the x ≠ 0 with the least Tr(N(x)), x and −x."""
+    """Return all x ≠ 0 with the least Tr(N(x)), both x and −x."""
     rows, gram = lattice.reduced
     vectors = lattice.ambient.domain.vectors
     found = (hermite.combination(x, rows) for x in vectors.least_vectors(gram)[1])
@@ -75,7 +75,7 @@ def multiple_of_content(lattice: LatticeValue, n: Rational) -> fmpq:
 
 
 def of_norm(lattice: LatticeValue, norm: BaseNumber) -> tuple[Quaternion, ...]:
-    """Return all elements with a norm, a number of the field. Raises :class:`TooLargeError`."""
+    """Return all elements with a given norm, a number of the field. Raises :class:`TooLargeError`."""
     base = lattice.ambient.base
     if not norm:
         return (lattice.element([0] * lattice.ambient.size),)
@@ -92,9 +92,10 @@ Form = tuple[list[list[int]], fmpz_mat, int]
 
 
 def form_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Form | None:
-    """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
+    """Return a multiple of Tr(N(x)/ν) on a reduced basis, the basis as rows over the denominator, and a
+    value.
 
-    The value is that for N(x) = ν; None where there is no such x.
+    The value is that of the elements with N(x) = ν; None if there are none.
     """
     ambient = lattice.ambient
     rational = ambient.base.as_rational(norm)
@@ -120,7 +121,7 @@ def _rows(
 
 
 def first_of_norm(lattice: LatticeValue, norm: BaseNumber) -> fmpz_mat | None:
-    """Return an element with a norm, totally positive, as a row over the denominator, or None."""
+    """Return an element with a given totally positive norm, as a row over the denominator, or None."""
     form = form_of_norm(lattice, norm)
     if form is None:
         return None
@@ -135,7 +136,7 @@ def first_of_norm(lattice: LatticeValue, norm: BaseNumber) -> fmpz_mat | None:
 
 
 def element_of_norms(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quaternion | None:
-    """Return an element of one of these norms in a definite algebra, or None where there is none."""
+    """Return an element with one of these norms in a definite algebra, or None if there is none."""
     for x in norms:
         row = first_of_norm(lattice, x)
         if row is not None:
@@ -144,7 +145,7 @@ def element_of_norms(lattice: LatticeValue, norms: Sequence[BaseNumber]) -> Quat
 
 
 def rows_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
-    """Yield one of ±x for each x with a norm, totally positive."""
+    """Yield one of ±x for each x with a given totally positive norm."""
     form = form_of_norm(lattice, norm)
     if form is not None:
         below = lattice.ambient.domain.fraction(1, lattice.den)
@@ -152,9 +153,10 @@ def rows_of_norm(lattice: LatticeValue, norm: BaseNumber) -> Iterator[fmpq_mat]:
 
 
 def of_norm_at_most(lattice: LatticeValue, n: object) -> tuple[Quaternion, ...]:
-    """Return all x, 0 too, with Tr(N(x)) at most a rational number, ascending. Raises :class:`TooLargeError`.
+    """Return all x, including 0, with Tr(N(x)) at most a rational number, ascending. Raises
+    :class:`TooLargeError`.
 
-    Over polynomials the number bounds the degree of N(x).
+    Over polynomials the number is a bound for the degree of N(x).
     """
     base, domain = lattice.ambient.base, lattice.ambient.domain
     bound = base.norm_bound(lattice, n)
@@ -181,8 +183,9 @@ def _signed(lattice: LatticeValue, rows: Iterable[Row]) -> tuple[Quaternion, ...
 def theta_series(lattice: LatticeValue, n: object) -> ThetaSeries:
     """Return the number of elements of each norm. Raises :class:`TooLargeError`.
 
-    Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
-    at most n, ascending by traces; over polynomials for those of degree at most n, ascending by degrees.
+    Over ℤ it is the list [r(0), …, r(n)], where r(m) belongs to the norm ``m·norm``. Over other bases it is
+    {ν: r(ν)}: for the norms of trace at most n, ordered by trace, or over polynomials for those of degree at
+    most n, ordered by degree.
     """
     bound, ambient = natural(n, "a theta series goes up to"), lattice.ambient
     step, (rows, gram) = ambient.base.theta_step(lattice), lattice.reduced
@@ -192,7 +195,9 @@ def theta_series(lattice: LatticeValue, n: object) -> ThetaSeries:
 
 
 def ternary_theta_series(order: LatticeValue, n: object) -> ThetaSeries:
-    """Return the same for the elements of trace 0 in R + 2O, R being the integers of the base."""
+    """Return the theta series of the elements of trace 0 in R + 2O, where R is the ring of integers of the
+    base.
+    """
     bound, ambient = natural(n, "a theta series goes up to"), order.ambient
     den, rows, gram = order.reduced_ternary
     unit = fmpz(ambient.scale * den**2)
@@ -200,7 +205,7 @@ def ternary_theta_series(order: LatticeValue, n: object) -> ThetaSeries:
 
 
 def ternary_rows(order: LatticeValue) -> fmpq_mat:
-    """Return a basis of the elements 2x − tr(x), of rank 3n over ℤ."""
+    """Return a basis of the lattice of elements 2x − tr(x), of rank 3n over ℤ."""
     den, rows, _ = order.ternary
     return rows * fmpq(1, den)
 
@@ -211,9 +216,9 @@ def ternary_rows(order: LatticeValue) -> fmpq_mat:
 def reduced(
     ambient: AlgebraBasis, rows: fmpq_mat, c: BaseNumber
 ) -> tuple[list[list[int]], fmpq_mat, int]:
-    """Return ``Tr(c·tr(x·conj(y)))`` times a number for a reduced basis, the basis, and the number.
+    """Return a multiple of ``Tr(c·tr(x·conj(y)))`` on a reduced basis, the basis, and the factor.
 
-    Rows are a basis of a lattice of any rank.
+    ``rows`` are a basis of a lattice of any rank.
     """
     whole, den = (rows * ambient.form(c) * rows.transpose()).numer_denom()
     gram, change = whole.lll(transform=True, rep="gram")

@@ -1,4 +1,4 @@
-"""Functions on ideal classes on which two-sided ideals act by given signs, as vectors indexed by orbits."""
+"""Functions on ideal classes with given signs under two-sided ideals, as vectors indexed by orbits."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class SignSpace:
     """The functions f with f(J·I) = sign·f(I) for the two-sided prime ideals J at some primes.
 
-    They are invariant under the ideals of the base. Such a function is known by its values on one class of
-    each orbit, except that it is 0 on orbits where signs contradict one another.
+    They are invariant under the ideals of the base. Such a function is determined by its values on one class
+    of each orbit; it is 0 on orbits on which the signs contradict one another.
     """
 
     def __init__(self, classes: Classes, signs: Mapping[Prime, int]) -> None:
@@ -56,7 +56,7 @@ class SignSpace:
         return SparseOperator(np.where(values != 0, self.orbit[found], 0), values, self.weights)
 
     def function(self, vector: Sequence[int] | np.ndarray) -> np.ndarray:
-        """Return the values on all classes of the function of a vector."""
+        """Return the values on all classes of the function given by a vector."""
         values: np.ndarray = np.asarray(vector)[self.orbit] * self.sign
         return values
 
@@ -64,9 +64,9 @@ class SignSpace:
 def _orbits(
     size: int, moves: Sequence[tuple[Sequence[int], int]], first: list[int]
 ) -> tuple[list[int], list[int]]:
-    """Return the number of the orbit, and the sign, of 0, …, size − 1; the sign is 0 where there is none.
+    """Return the orbit and the sign of each of 0, …, size − 1; the sign is 0 if the signs are contradictory.
 
-    Orbits with signs are numbered as their first elements, which are added to a list, come.
+    Orbits with signs are numbered in the order of their first elements, which are appended to ``first``.
     """
     orbit, sign = [0] * size, [0] * size
     seen = [False] * size

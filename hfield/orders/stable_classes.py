@@ -1,15 +1,15 @@
-"""The stable classes of right ideals: I and J are in one where I ⊕ O ≅ J ⊕ O.
+"""The stable classes of right ideals: I and J are in the same class if I ⊕ O ≅ J ⊕ O.
 
-In a definite order these are the classes of norms of local generators in K^×₊ \\ Â^× / N(Ô^×): narrow
-classes of ideals, and at primes a class of local units modulo norms (A. Fröhlich, *J. reine angew. Math.*
-274, 1975; D. Smertnig and J. Voight, *Trans. London Math. Soc.* 6, 2019, section 2). Squares of local units
-are norms, so the classes of local units are computed by linear algebra over GF(2). Where the Eichler symbol
-is not 0, every local unit is a norm.
+In a definite order these are the classes of norms of local generators in K^×₊ \\ Â^× / N(Ô^×), that is,
+narrow classes of ideals and, at some primes, a class of local units modulo norms (A. Fröhlich, *J. reine
+angew. Math.* 274, 1975; D. Smertnig and J. Voight, *Trans. London Math. Soc.* 6, 2019, section 2). Squares of
+local units are norms, so the classes of local units are computed by linear algebra over GF(2). If the Eichler
+symbol is not 0, every local unit is a norm.
 
-Let R be the integers of the base and J the radical of O_P. If the Eichler symbol is 0, the units of O_P are
-the products of units of R_P and elements of 1 + J. Above an odd prime their norms are squares. Above 2 the
-norms of 1 + y, with y in bases of J, J², …, generate the norms of 1 + J. The powers of J in 4P·O can be left
-out, because they give norms in 1 + 4P, which are squares.
+Let R be the ring of integers of the base and J the radical of O_P. If the Eichler symbol is 0, the units of
+O_P are the products of units of R_P and elements of 1 + J. Above an odd prime their norms are squares. Above
+2 the norms of 1 + y, with y in bases of J, J², …, generate the norms of 1 + J. The powers of J in 4P·O can be
+omitted, because they give norms in 1 + 4P, which are squares.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from hfield.orders.orders_at_primes import OrderAtPrime
 
 @dataclass(frozen=True)
 class LocalNorms:
-    """Norms of local units at one prime. A class modulo squares is a number of ``size`` bits."""
+    """Norms of local units at one prime. A class modulo squares is an integer of ``size`` bits."""
 
     prime: Prime
     size: int
@@ -46,7 +46,7 @@ class LocalNorms:
 
 
 class StableClasses:
-    """The stable classes, ``number`` of them, of an order over ℤ_K with ``ideals`` narrow classes of ideals.
+    """The stable classes of an order over ℤ_K; there are ``number`` of them, and ``ideals`` narrow classes.
 
     ``units`` generate the totally positive units modulo squares.
     """
@@ -76,7 +76,7 @@ class StableClasses:
         return vector
 
     def reduced(self, values: Iterable[BaseNumber]) -> int:
-        """Return the class of numbers, one a place, modulo the norms of local units and all units."""
+        """Return the class of numbers, one for each place, modulo the norms of local units and all units."""
         vector = size = 0
         for place, x in zip(self.places, values, strict=True):
             vector |= place.square_class(x) << size
@@ -96,7 +96,7 @@ def stable_classes(order: LatticeValue) -> StableClasses:
 
 
 def _norms(order: LatticeValue, P: Prime) -> Iterator[BaseNumber]:
-    """Yield norms that generate, with the squares, those of the units at P."""
+    """Yield norms that, together with the squares, generate the norms of units at P."""
     ambient, place = order.ambient, order.ambient.base.place(P)
     if place.below > 2:
         return
@@ -118,7 +118,7 @@ class WithStableClasses:
     @property
     @abstractmethod
     def _stable(self) -> StableClasses:
-        """The stable classes, by local norms."""
+        """The stable classes, computed from local norms."""
 
     def stable_class_number(self) -> int:
         """Return the number of right ideal classes up to I ⊕ O ≅ J ⊕ O. Raises :class:`IndefiniteError`.
@@ -135,23 +135,25 @@ class WithStableClasses:
         return self._stable.number
 
     def is_hermite(self) -> bool:
-        """Return whether each right ideal with I ⊕ O ≅ O ⊕ O is principal: whether stably free is free.
+        """Return whether each right ideal with I ⊕ O ≅ O ⊕ O is principal: whether stably free ideals are
+        free.
 
-        All stable classes have the same mass, and in a Hermite order that of O is one class. Raises likewise.
+        All stable classes have the same mass, and in a Hermite order the stable class of O is one class.
+        Raises as :meth:`stable_class_number` does.
         """
         whole = self.mass() * self.unit_index()
         return whole.denominator == 1 and whole == self.stable_class_number()
 
 
 class ByStableClasses:
-    """Stable classes, of a class set."""
+    """Methods of class sets that concern stable classes."""
 
     order: WithStableClasses
     __len__: Callable[[], int]
     _stable_class: Callable[[int], Hashable]
 
     def stable_classes(self) -> list[int]:
-        """Return the number of the stable class of each class: I and J are in one if I ⊕ O ≅ J ⊕ O.
+        """Return the stable class of each class, as a number; I and J have the same one if I ⊕ O ≅ J ⊕ O.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
@@ -163,5 +165,5 @@ class ByStableClasses:
         return [numbers.setdefault(kind, len(numbers)) for kind in kinds]
 
     def has_cancellation(self) -> bool:
-        """Return whether I ⊕ O ≅ J ⊕ O only where I ≅ J, for all right ideals."""
+        """Return whether I ⊕ O ≅ J ⊕ O implies I ≅ J for all right ideals."""
         return len(self) == self.order.stable_class_number()

@@ -31,10 +31,10 @@ from hfield.orders.validation import expect_coprime, expect_rational, positive
 
 
 def maximal_order(algebra: Parent) -> LatticeValue:
-    """Return a maximal order over the integers of the base field, always the same.
+    """Return a maximal order over the integers of the base field; always the same one.
 
-    Raises :class:`UndecidedError` or :class:`UnfactoredError` where constants, norms or the discriminant of
-    the field are too hard to factor.
+    Raises :class:`UndecidedError` or :class:`UnfactoredError` if the constants, norms or the discriminant of
+    the field cannot be factored.
     """
     ambient = basis_of(algebra)
     start = hermite_form(ambient, *ambient.kernels.first_order(ambient))
@@ -45,7 +45,7 @@ def maximal_order(algebra: Parent) -> LatticeValue:
 
 
 def eichler_order(algebra: Parent, level: object) -> LatticeValue:
-    """Return an Eichler order of a level prime to the discriminant of the algebra, always the same.
+    """Return an Eichler order whose level is prime to the discriminant of the algebra; always the same one.
 
     The level is a number, an ideal of the base, or pairs (prime, exponent). Raises :class:`LatticeError`.
     """
@@ -62,7 +62,7 @@ def eichler_order(algebra: Parent, level: object) -> LatticeValue:
 
 
 def read_level(base: Base, level: object) -> BaseIdeal:
-    """Return an integral ideal, given as one, a number, or pairs. Raises :class:`LatticeError`."""
+    """Return an integral ideal given as an ideal, a number, or pairs. Raises :class:`LatticeError`."""
     if not isinstance(level, list | tuple) or not all(isinstance(x, tuple | list) for x in level):
         given: BaseIdeal = base.integral_ideal(level, "level")
         return given
@@ -77,7 +77,7 @@ def read_level(base: Base, level: object) -> BaseIdeal:
 
 
 def lipschitz_order(algebra: Parent) -> LatticeValue:
-    """Return the integer combinations of e, i, j, k.
+    """Return the order of integer combinations of e, i, j, k.
 
     Raises :class:`CoercionError` unless a, t and b are integers.
     """
@@ -98,7 +98,7 @@ def lipschitz_order(algebra: Parent) -> LatticeValue:
 
 
 def hurwitz_order(algebra: Parent) -> LatticeValue:
-    """Return the Hurwitz order. Raises :class:`CoercionError` except for (−1,−1|ℚ)."""
+    """Return the Hurwitz order. Raises :class:`CoercionError` except in (−1,−1|ℚ)."""
     a, t, b = basis_of(algebra).constants
     if not (a == -1 and t == 0 and b == -1):
         raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {algebra}")
@@ -123,9 +123,9 @@ def _maximal(algebra: Parent) -> LatticeValue:
 
 
 def quadratic_part(p: int) -> int:
-    """Return q = 1, 2 or the least q ≡ 3 modulo 4 for which ``(−q, −p | ℚ)`` ramifies at p and ∞ alone.
+    """Return q = 1, 2 or the least q ≡ 3 modulo 4 such that ``(−q, −p | ℚ)`` ramifies exactly at p and ∞.
 
-    That q is a prime: one of the prime factors of such a q that are 3 modulo 4 is no larger, and does too.
+    This q is a prime: for every such q, one of its prime factors that are 3 modulo 4 has the same property.
     """
     if p == 2 or p % 4 == 3:
         return 1
@@ -140,7 +140,7 @@ def quadratic_part(p: int) -> int:
 def extremal_order(algebra: Parent, q: object = None) -> LatticeValue:
     """Return a maximal order with anticommuting roots of −q and −p, in a definite algebra of discriminant p.
 
-    Raises :class:`LatticeError` for another algebra, and where there is no such order.
+    Raises :class:`LatticeError` for another algebra, and if there is no such order.
     """
     r = basis_of(algebra)
     error = LatticeError(
@@ -158,7 +158,7 @@ def extremal_order(algebra: Parent, q: object = None) -> LatticeValue:
 
 
 def _expect_fitting(q: int, p: int) -> None:
-    """Raise :class:`LatticeError` unless ``(−q, −p | ℚ)`` ramifies at p and ∞ alone, q being squarefree."""
+    """Raise :class:`LatticeError` unless q is squarefree and ``(−q, −p | ℚ)`` ramifies exactly at p and ∞."""
     factors = factorise(q)
     square = next((n for n, e in factors.items() if e > 1), None)
     if square is not None:
@@ -182,7 +182,7 @@ def _expect_fitting(q: int, p: int) -> None:
 
 
 def _halves(i: Quaternion, j: Quaternion, q: int, p: int) -> list[Quaternion]:
-    """Return the invariant that distinguishes the two classes of maximal orders with i² = −q and j² = −p.
+    """Return the invariant that separates the two classes of maximal orders with i² = −q and j² = −p.
 
     For q = 1 there is one class; it contains (1 + √−p)/2 for another root of −p.
     """

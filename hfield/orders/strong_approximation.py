@@ -1,12 +1,12 @@
-"""The steps of KLPT inside a p-extremal order O, with a frame R + R·β, N(β) = p, R = ℤ[α] and s = 2α − t.
+"""The steps of KLPT in a p-extremal order O with frame R + R·β, where N(β) = p, R = ℤ[α] and s = 2α − t.
 
 Let I be an ideal of prime norm N. The elements μ₀ = (C + D·s)·β with γ·μ₀ in I, or with γ·μ₀·δ in the Eichler
 order ℤ + I, are the solutions of linear equations modulo N (IdealModConstraint, EichlerModConstraint). An
-element μ ≡ λ·μ₀ modulo N·O is ``N·(x + y·s) + (C′ + N·c + (D′ + N·e)·s)·β``. That it has the given norm
-modulo N² is one linear condition on (c, e). Each solution, shortest first, determines the value of
-x² + |d|·y² that is still to be represented (StrongApproximation).
+element μ ≡ λ·μ₀ modulo N·O is ``N·(x + y·s) + (C′ + N·c + (D′ + N·e)·s)·β``. It has the given norm modulo N²
+if and only if (c, e) satisfies one linear condition. Each solution, shortest first, determines the value of
+x² + |d|·y² that remains to be represented (StrongApproximation).
 
-Kohel, Lauter, Petit and Tignol, 2014; De Feo, Kohel, Leroux, Petit and Wesolowski, "SQISign", 2020.
+See Kohel, Lauter, Petit and Tignol, 2014; De Feo, Kohel, Leroux, Petit and Wesolowski, "SQISign", 2020.
 """
 
 from __future__ import annotations
@@ -74,7 +74,8 @@ def expect_frame(order: LatticeValue, what: str) -> QuadraticFrame:
 def mod_constraint(
     ideal: LatticeValue, order: LatticeValue, gamma: Quaternion, delta: Quaternion | None
 ) -> Quaternion:
-    """Return μ₀ = (C + D·s)·β with γ·μ₀ in a left ideal of prime norm N, or γ·μ₀·δ in ℤ + I if δ is given.
+    """Return μ₀ = (C + D·s)·β with γ·μ₀ in a left ideal I of prime norm N; if δ is given, with γ·μ₀·δ in ℤ +
+    I.
 
     Raises :class:`LatticeError` for another order, another norm or elements outside the order.
     """
@@ -104,7 +105,7 @@ def mod_constraint(
 
 
 def least_second(f: QuadraticFrame, norm: int) -> int:
-    """Return about the least T₂ for which a μ of this norm is likely to be found."""
+    """Return about the least T₂ for which an element μ of norm T₂ is likely to be found."""
     return (f.norm * norm**3 * -f.discriminant) << 6
 
 
@@ -114,10 +115,10 @@ def least_second(f: QuadraticFrame, norm: int) -> int:
 def of_smooth_norm(
     order: LatticeValue, x: Quaternion, modulus: object, number: object, seed: int
 ) -> Quaternion:
-    """Return μ in O, congruent to λ·x modulo N·O for some λ prime to N, with a norm that divides T.
+    """Return μ in O, congruent to λ·x modulo N·O for some λ prime to N, whose norm divides T.
 
-    x lies in R·β modulo N·O for the frame of a p-extremal order, and N is a prime. Raises
-    :class:`LatticeError` for others, :class:`NoSolutionError` where all divisors of T were tried, and
+    x must lie in R·β modulo N·O for the frame of a p-extremal order, and N must be a prime. Raises
+    :class:`LatticeError` otherwise, :class:`NoSolutionError` if all divisors of T were tried, and
     :class:`UndecidedError`.
     """
     f, n = expect_frame(order, "strong_approximation()"), positive(modulus, "modulus")
@@ -164,7 +165,7 @@ def of_smooth_norm(
 def ratio_in(
     lattice: LatticeValue, u: Quaternion, v: Quaternion, norm: int
 ) -> tuple[int, int] | None:
-    """Return (C, D) ≠ 0 modulo N with C·u + D·v in a lattice, which contains N·O."""
+    """Return (C, D) ≠ 0 modulo N with C·u + D·v in a lattice that contains N·O."""
     den, both = spanning_rows(lattice.ambient, [u, v])
     inside, d = hermite.in_coordinates(lattice.matrix, both)
     # coordinates over the lattice have the denominator N
@@ -198,7 +199,7 @@ def strong_approximation(
 def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
     """Return ``N·(x + y·s) + (c₀ + N·c + (d₀ + N·e)·s)·β`` of norm ``target``.
 
-    Modulo N² that is one linear condition on (c, e); they are taken close to −(c₀, d₀)/N.
+    Modulo N² this is one linear condition on (c, e), which are chosen close to −(c₀, d₀)/N.
     """
     p, d = f.norm, -f.discriminant
     rest = (target - p * (c0 * c0 + d * d0 * d0)) // n
@@ -229,7 +230,7 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
 
 
 def close(start: Sequence[int], lattice: fmpz_mat, form: fmpz_mat) -> Iterator[tuple[int, int]]:
-    """Yield start + x for x in a plane lattice, spanned by rows, in order of a quadratic form."""
+    """Yield start + x for x in a planar lattice spanned by rows, ordered by a quadratic form."""
     _, steps = (lattice * form * lattice.transpose()).lll(transform=True, rep="gram")
     (a, b), (u, v) = ([int(x) for x in row] for row in (steps * lattice).tolist())
     x, y = (int(c) for c in start)

@@ -1,4 +1,4 @@
-"""The algebra modulo a prime p of 62 bits, as matrices at the real places, and their symmetric powers.
+"""The algebra modulo a prime p of 62 bits as matrices at the real places, and symmetric powers of them.
 
 Forms of weight k have values in a tensor product over the real places. Each factor is the space of harmonic
 polynomials of degree k/2 − 1 on the elements of trace 0, on which a quaternion acts by conjugation; scalars
@@ -44,10 +44,10 @@ def splittings(ambient: AlgebraBasis, p: int) -> list[SplittingModP]:
 
 
 def _matrix_units(a: int, t: int, b: int, p: int) -> list[Square]:
-    """Return matrices 1, I, J, IJ modulo p with I² = a + t·I and J² = b."""
+    """Return matrices of 1, I, J, IJ modulo p with I² = a + t·I and J² = b."""
     half = t * pow(2, -1, p) % p
     square = (a + half * half) % p
-    # (x, −b·y; y, −x) has the square x² − b·y², and anticommutes with (0, b; 1, 0)
+    # the square of (x, −b·y; y, −x) is x² − b·y², and it anticommutes with (0, b; 1, 0)
     y = next(y for y in range(p) if _is_square(square + b * y * y, p))
     x = sqrt_mod(square + b * y * y, p)
     first = (half + x) % p, -b * y % p, y, (half - x) % p
@@ -75,7 +75,7 @@ class SymmetricPower:
         self.dimension = (weight - 1) ** self._degree
 
     def matrix(self, row: Sequence[fmpz]) -> nmod_mat:
-        """Return the matrix by which an element, an integer row, acts on columns."""
+        """Return the matrix by which an element, given as an integer row, acts on columns."""
         whole = [[1]]
         for splitting in self._splittings:
             whole = _kronecker(whole, self._at(splitting, row), self.p)

@@ -1,8 +1,8 @@
 """Ternary quadratic forms and orders: the even Clifford algebra of a form, and the form of an order.
 
-The form of an order with the basis 1, i, j, k is ``N(x·[j,k] + y·[k,i] + z·[i,j]) / tr(i·[j,k])``. It is the
-discriminant times the norm on the elements of trace 0 in the codifferent. From the even Clifford algebra of a
-form, with the basis ``e₂e₃, e₃e₁, e₁e₂``, this gives the same form back. So classes of forms of one
+The form of an order with basis 1, i, j, k is ``N(x·[j,k] + y·[k,i] + z·[i,j]) / tr(i·[j,k])``. It is the
+discriminant times the norm on the elements of trace 0 in the codifferent. Applied to the even Clifford
+algebra of a form, with the basis ``e₂e₃, e₃e₁, e₁e₂``, this returns the same form. So classes of forms of one
 discriminant correspond to isomorphism classes of orders (J. Voight, *Quaternion Algebras*, chapter 22), and
 forms are compared by comparing orders.
 """
@@ -41,9 +41,10 @@ Matrix: TypeAlias = "tuple[Row, ...]"
 
 
 class FormEquivalence(Verdict[tuple[Row, ...]]):
-    """A verdict whose witness is the ``matrix`` M with f(v) = g(v·M), rows v; ``reason`` says why not.
+    """A verdict on equivalence; the witness is the ``matrix`` M with f(v) = g(v·M) for rows v. It has a
+    ``reason``.
 
-    In an indefinite algebra a theorem may decide, and the matrix be missing.
+    In an indefinite algebra a theorem may decide without a matrix.
     """
 
     @property
@@ -100,17 +101,17 @@ class TernaryForm(Hinted):
         return value
 
     def discriminant(self) -> BaseNumber:
-        """Return the half-discriminant 4abc + rst − ar² − bs² − ct²; up to units that of the order."""
+        """Return the half-discriminant 4abc + rst − ar² − bs² − ct²; it is that of the order up to units."""
         a, b, c, r, s, t = self.coefficients
         return 4 * a * b * c + r * s * t - a * r * r - b * s * s - c * t * t
 
     def gram_matrix(self) -> Matrix:
-        """Return the matrix of f(u + v) − f(u) − f(v), twice the values on the diagonal."""
+        """Return the matrix of f(u + v) − f(u) − f(v); the diagonal has twice the values."""
         a, b, c, r, s, t = self.coefficients
         return (2 * a, t, s), (t, 2 * b, r), (s, r, 2 * c)
 
     def is_definite(self) -> bool:
-        """Return whether the field is totally real and the form has no zero but 0 at any real place."""
+        """Return whether the field is totally real and the form is anisotropic at every real place."""
         base = base_of(self.ring)
         a, b, *_, t = self.coefficients
         minors = [base.inside(x) for x in (4 * a * b - t * t, a * self.discriminant())]
@@ -204,10 +205,11 @@ class TernaryForm(Hinted):
     # --- forms that are alike ----------------------------------------------------------------------
 
     def equivalence(self, other: TernaryForm) -> FormEquivalence:
-        """Return an answer with a ``matrix`` M of integers, of a unit as determinant: f(v) = g(v·M).
+        """Return an answer with an integral ``matrix`` M of unit determinant such that f(v) = g(v·M).
 
-        Found as an isomorphism of orders. Raises as that does, :class:`UndecidedError`, and over fields
-        other than ℚ :class:`IndefiniteError`; :class:`MixedParentsError` for forms over two rings.
+        It is computed from an isomorphism of orders. Raises as :meth:`Order.isomorphism` does:
+        :class:`UndecidedError`, and over fields other than ℚ :class:`IndefiniteError`. Raises
+        :class:`MixedParentsError` for forms over different rings.
 
         >>> from hfield import ternary_form
         >>> f, g = ternary_form([1, 1, 3, 0, 0, 0]), ternary_form([3, 2, 1, 0, 0, 2])
@@ -253,10 +255,10 @@ class TernaryForm(Hinted):
         return bool(self.equivalence(other))
 
     def genus(self) -> tuple[TernaryForm, ...]:
-        """Return one form of each class that is locally equivalent to this one, of a definite form.
+        """Return one form of each class in the genus of a definite form.
 
-        They are the forms of the types of orders. Raises :class:`IndefiniteError`, and :class:`LatticeError`
-        over a number field for an order that is no free module.
+        They are the forms of the types of orders. Raises :class:`IndefiniteError`, and over a number field
+        :class:`LatticeError` for an order that is not a free module.
 
         >>> from hfield import ternary_form
         >>> ternary_form([1, 1, 23, 1, 0, 0]).genus()
@@ -286,12 +288,13 @@ class TernaryForm(Hinted):
         return list(reduced_bases([[int(x) for x in row] for row in reduced.tolist()]))
 
     def reduced(self) -> TernaryForm:
-        """Return the one form of the class that is reduced after Korkine and Zolotarev and comes first.
+        """Return the unique reduced form of the class: the first of those reduced after Korkine and
+        Zolotarev.
 
-        Equivalent forms have the same. An isometry maps the reduced bases of one lattice onto those of the
-        other; all of them are listed, also where vectors have one length or a coefficient is 1/2; and the
-        least coefficients in a fixed order are returned. Raises :class:`IndefiniteError` for other than
-        definite forms over ℤ.
+        Equivalent forms have the same reduced form. An isometry maps the reduced bases of one lattice to
+        those of the other. All reduced bases are listed, including those with vectors of equal length or
+        coefficients 1/2, and the least coefficients in a fixed order are returned. Raises
+        :class:`IndefiniteError` except for definite forms over ℤ.
         """
         a, b, c, t, s, r = min(
             (form for _, form in self._reduced_bases()),
@@ -307,9 +310,10 @@ class TernaryForm(Hinted):
 
 
 def read_form(text: str, ring: Ring, algebras: Callable[..., Parent]) -> TernaryForm:
-    """Read a form in x, y and z, as it is printed or as code.
+    """Read a form in x, y and z, in the notation in which it is printed or as code.
 
-    Raises :class:`NotationError` for what is not a polynomial, :class:`LatticeError` for no ternary form.
+    Raises :class:`NotationError` for anything but a polynomial, :class:`LatticeError` for a polynomial that
+    is not a ternary form.
     """
     polynomials = named_ring(f"{ring.name}[x,y,z]")
     exponents = (2, 0, 0), (0, 2, 0), (0, 0, 2), (0, 1, 1), (1, 0, 1), (1, 1, 0)
@@ -324,15 +328,15 @@ def read_form(text: str, ring: Ring, algebras: Callable[..., Parent]) -> Ternary
 
 
 def form_of_order(order: LatticeValue) -> TernaryForm:
-    """Return a form whose even Clifford algebra is an order; over ℤ the reduced one where it is definite.
+    """Return a form whose even Clifford algebra is an order; over ℤ, the reduced form if it is definite.
 
-    Raises :class:`LatticeError` for an order that is no free module.
+    Raises :class:`LatticeError` for an order that is not a free module.
     """
     return reduced_over_integers(form_of(basis_modulo_numbers(order), type(order.algebra)))
 
 
 def reduced_over_integers(form: TernaryForm) -> TernaryForm:
-    """Return the reduced form of a definite form over ℤ, and another form as it is."""
+    """Return the reduced form of a definite form over ℤ; return any other form unchanged."""
     return form.reduced() if form.ring == QQ and form.is_definite() else form
 
 

@@ -1,8 +1,8 @@
-"""Reduce definite ternary forms over ℤ: find all bases of a lattice that are Korkine–Zolotarev reduced.
+"""Reduce definite ternary forms over ℤ: find all Korkine–Zolotarev reduced bases of a lattice.
 
 A basis (u, v, w) is reduced if u is a shortest vector, v is a shortest vector modulo u, and the Gram–Schmidt
-coefficients lie in (−1/2, 1/2]. A lattice has few such bases, and they are found quickly even if the lattice
-is very skew, when there may be too many vectors of the lengths of a basis to list.
+coefficients lie in (−1/2, 1/2]. A lattice has few such bases. They are found quickly even if the lattice is
+so skew that it has too many vectors of the lengths of a basis to list.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ Basis = tuple[Vector, Vector, Vector]
 
 
 def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
-    """Yield each reduced basis, one of ±u for the first vector, and its six inner products.
+    """Yield each reduced basis (with one of ±u as first vector) and its six inner products.
 
-    The matrix that is given should be reduced by LLL already.
+    The given matrix should already be LLL-reduced.
     """
     for u in enumeration.least_vectors(gram)[1]:
         b, c = _completed(u)
@@ -37,7 +37,7 @@ def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
 
 
 def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[int, ...]]:
-    """Subtract the multiples of v and u that leave coefficients in (−1/2, 1/2]."""
+    """Subtract multiples of v and u so that the coefficients lie in (−1/2, 1/2]."""
     vv, vw, _ = _modulo(gram, u, v, w)
     w = _sum((1, w), (-_nearest(vw, vv), v))
     uu = _pair(gram, u, u)
@@ -47,7 +47,7 @@ def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[
 
 
 def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]:
-    """Return the inner products of x and y without their parts along u, ``|u|²`` times too large."""
+    """Return ``|u|²`` times the inner products of the projections of x and y orthogonal to u."""
     uu, ux, uy = (_pair(gram, u, v) for v in (u, x, y))
 
     def outside(v: Vector, w: Vector, uv: int, uw: int) -> int:
@@ -57,7 +57,7 @@ def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]
 
 
 def _completed(u: Vector) -> tuple[Vector, Vector]:
-    """Return two vectors that make a basis of ℤ³ with a primitive one."""
+    """Return two vectors that form a basis of ℤ³ with a primitive vector."""
     g, s, t = _gcd(u[0], u[1])
     x, y = (u[0] // g, u[1] // g) if g else (1, 0)
     _, p, q = _gcd(g, u[2])

@@ -27,10 +27,9 @@ def vectors_of_value(
 ) -> Iterator[tuple[int, int, int]]:
     """Yield one of ±x for each x with ``x·form·x = value`` and ``x·definite·x ≤ bound``.
 
-    ``form`` has an entry on the diagonal that is not 0, and ``value`` is not 0. Raises
-    :class:`TooLargeError`.
+    ``form`` must have a nonzero diagonal entry, and ``value`` must not be 0. Raises :class:`TooLargeError`.
     """
-    # the coordinate that is solved for is the one with the widest range
+    # the equation is solved for the coordinate with the widest range
     k = min((n for n in range(3) if form[n][n]), key=lambda n: definite[n][n])
     i, j = (n for n in range(3) if n != k)
     # with the least value over the coordinate k: head·definite is at least p·x² + 2q·xy + r·y²
@@ -64,7 +63,7 @@ def vectors_of_value(
 def _solved(
     form: Matrix, value: int, x: np.ndarray, y: np.ndarray, places: tuple[int, int, int]
 ) -> Iterator[tuple[int, int, int]]:
-    """Yield the vectors with coordinates x and y at places i and j, arrays, and a root at k."""
+    """Yield the vectors with coordinates x and y (arrays) at positions i and j, and a root at position k."""
     i, j, k = places
     a, b = form[k][k], form[k][i] * x + form[k][j] * y
     c = form[i][i] * x * x + 2 * form[i][j] * x * y + form[j][j] * y * y - value
@@ -83,7 +82,7 @@ def _solved(
 
 
 def _fits(form: Matrix, value: int, most: tuple[int, int], places: tuple[int, int, int]) -> bool:
-    """Return whether all computed numbers fit 64 bits."""
+    """Return whether all intermediate numbers fit into 64 bits."""
     i, j, k = places
     x, y = most
     b = abs(form[k][i]) * x + abs(form[k][j]) * y

@@ -17,9 +17,9 @@ UNIT_GROUPS = {1: "C2", 2: "C4", 3: "C6", 4: "Q8", 6: "Dic3", 12: "SL(2,3)"}
 
 
 def units(order: LatticeValue) -> tuple[Quaternion, ...]:
-    """Return all units over ℤ, elsewhere one of each coset of the units of the base.
+    """Return all units over ℤ; over other bases, one from each coset of the units of the base.
 
-    Raises :class:`IndefiniteError` where they are infinitely many.
+    Raises :class:`IndefiniteError` if there are infinitely many.
     """
     expect_definite(order.ambient, "units()")
     if order.ambient.base.lists_all_units:
@@ -28,22 +28,25 @@ def units(order: LatticeValue) -> tuple[Quaternion, ...]:
 
 
 def units_modulo_scalars(order: LatticeValue) -> Iterator[fmpq_mat]:
-    """Yield one of each coset of the units of the base in those of an order, if the algebra is definite."""
+    """Yield one unit from each coset of the units of the base, if the algebra is definite."""
     expect_definite(order.ambient, "units()")
     for u in order.ambient.base.positive_units:
         yield from rows_of_norm(order, u)
 
 
 def unit_index(order: LatticeValue) -> int:
-    """Return the number of units modulo those of the base. Raises likewise."""
+    """Return the number of units modulo those of the base. Raises :class:`IndefiniteError` as :func:`units`
+    does.
+    """
     return sum(1 for _ in units_modulo_scalars(order))
 
 
 def unit_group(order: LatticeValue) -> str:
-    """Return the name of the group of units over ℤ, elsewhere modulo those of the base.
+    """Return the name of the group of units; over bases other than ℤ, modulo the units of the base.
 
-    Over ℤ ``C2 C4 C6 Q8 Dic3 SL(2,3)``; else ``C4 D2 D6 A4 S4 A5`` and so on: a finite group of rotations is
-    known by its order and the largest order of an element. ``"infinite"`` in an indefinite algebra.
+    Over ℤ it is one of ``C2 C4 C6 Q8 Dic3 SL(2,3)``; else ``C4 D2 D6 A4 S4 A5`` and so on, since a finite
+    group of rotations is determined by its order and the largest order of an element. In an indefinite
+    algebra it is ``"infinite"``.
     """
     ambient = order.ambient
     if not ambient.definite:
@@ -61,7 +64,7 @@ def unit_group(order: LatticeValue) -> str:
 
 
 def _order(ambient: AlgebraBasis, row: fmpq_mat) -> int:
-    """Return the order of a unit modulo the field."""
+    """Return the order of a unit modulo scalars."""
     matrix, power, n = ambient.times(row.entries()), row, 1
     while any(power.entries()[ambient.degree :]):
         power, n = power * matrix, n + 1

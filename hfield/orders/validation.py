@@ -18,13 +18,15 @@ if TYPE_CHECKING:
 
 
 def expect_rational(base: Base, error: HFieldError) -> None:
-    """Raise an error, which says what is for orders over ℤ alone, over another base."""
+    """Raise an error over bases other than ℤ; the message names the feature that needs ℤ."""
     if not base.is_rational:
         raise error
 
 
 def expect_number_field(base: Base, error: HFieldError) -> None:
-    """Raise an error, which says what is for ℤ and the integers of number fields, over 𝔽_q[t]."""
+    """Raise an error over 𝔽_q[t]; the message names the feature that needs ℤ or the integers of a number
+    field.
+    """
     if base.is_polynomial:
         raise error
 
@@ -39,7 +41,7 @@ def listed(elements: object) -> list[object]:
 
 
 def checked_side(side: str) -> str:
-    """Return the side. Raises :class:`LatticeError` unless it is left or right."""
+    """Return the side. Raises :class:`LatticeError` unless it is ``"left"`` or ``"right"``."""
     if side not in ("left", "right"):
         raise LatticeError(f"the side {side!r} does not exist: expected 'left' or 'right'")
     return side

@@ -1,9 +1,9 @@
 """Forms of weight k > 2 as a module: functions on ideals with values in a representation of the quaternions.
 
 Such a function f on right ideals satisfies f(γ·I) = γ·f(I). So its value at the representative I of a class
-is any value that the units of the left order fix. (T_P·f)(I) is N(P)^(k/2−1) times the sum of f(J) over the
-ideals J of relative norm P in I. See B. Gross, "Algebraic modular forms", 1999, and Dembélé and Voight for
-Hilbert modular forms. Values and operators are computed modulo primes.
+can be any value fixed by the units of the left order. (T_P·f)(I) is N(P)^(k/2−1) times the sum of f(J) over
+the ideals J of relative norm P in I. See B. Gross, "Algebraic modular forms", 1999, and Dembélé and Voight
+for Hilbert modular forms. Values and operators are computed modulo primes.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from hfield.orders.symmetric_powers import SymmetricPower
 
 
 class Reduction:
-    """The values modulo p, and for each class a basis of the invariant ones, in reduced echelon form."""
+    """The values modulo p, and for each class a basis of the invariant values, in reduced echelon form."""
 
     def __init__(self, elements: ClassElements, weight: int, p: int) -> None:
         self.action = SymmetricPower(elements.classes.ambient, weight, p)
@@ -74,19 +74,19 @@ class WeightedFunctions(Module):
 
     @cached_property
     def cusp_dimension(self) -> int:
-        """The dimension of the cusp forms: of all functions with trivial character."""
+        """The dimension of the cusp forms, which are all functions with trivial character."""
         p = next(self.primes())
         basis = self._trivial_character(p)
         return self._reduction(p).size if basis is None else int(basis.nrows())
 
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
-        """Return 1, as no function of this weight depends on the norm alone."""
+        """Return 1, because no function of this weight factors through the norm."""
         return nmod_poly([1], p)
 
     # --- operators -----------------------------------------------------------------------------------
 
     def _blocks(self, located: Iterable[Located], p: int) -> Iterator[tuple[int, nmod_mat]]:
-        """Yield, for each class j among located ideals γ·I_j, the sum of the γ on its values, in columns."""
+        """Yield, for each class j among located ideals γ·I_j, the sum of the matrices of γ, as columns."""
         reduction, sums = self._reduction(p), dict[int, nmod_mat]()
         for j, element in located:
             if reduction.pivots[j]:
@@ -96,7 +96,7 @@ class WeightedFunctions(Module):
             yield j, matrix * reduction.columns[j]
 
     def _operator(self, located: Callable[[int], Iterable[Located]], p: int) -> nmod_mat:
-        """Return the operator f(I_i) ↦ Σ f(J) for the ideals J that belong to each class."""
+        """Return the operator f(I_i) ↦ Σ f(J), where J runs through the ideals that belong to each class."""
         reduction = self._reduction(p)
         size, starts = reduction.size, reduction.starts
         entries = [0] * (size * size)
@@ -111,7 +111,7 @@ class WeightedFunctions(Module):
     def _row(
         self, number: int, located: Callable[[int], Iterable[Located]], p: int
     ) -> dict[int, int]:
-        """Return one row of the same operator."""
+        """Return one row of the operator of :meth:`_operator`."""
         reduction = self._reduction(p)
         i = bisect_right(reduction.starts, number) - 1
         k = reduction.pivots[i][number - reduction.starts[i]]
@@ -145,7 +145,9 @@ class WeightedFunctions(Module):
         return self._operator(lambda i: [self._elements.multiplied(i, ideal)], p)
 
     def _trivial_character(self, p: int) -> nmod_mat | None:
-        """Return a basis of the functions with trivial character, in rows; None where all have it."""
+        """Return a basis of the functions with trivial character, one per row; None if all
+        functions have it.
+        """
         if p not in self._subspaces:
             self._subspaces[p] = self._fixed(p) if self.base.class_generators else None
         return self._subspaces[p]
@@ -159,7 +161,7 @@ class WeightedFunctions(Module):
         return [nmod_mat(size, size, [c for k in pivots(basis) for c in rows[k]], p)]
 
     def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
-        """Return functions with trivial character as functions, in rows."""
+        """Return functions with trivial character as functions on the classes, one per row."""
         basis = self._trivial_character(p)
         return rows if basis is None else rows * basis
 
@@ -172,11 +174,12 @@ class WeightedFunctions(Module):
     # --- all characters --------------------------------------------------------------------------------
 
     def hecke_polynomial(self, norm: BaseIdeal) -> list[int]:
-        """Return the characteristic polynomial of T of an ideal on forms of any unramified character.
+        """Return the characteristic polynomial of the Hecke operator of an ideal, on forms of any unramified
+        character.
 
-        The values have an invariant definite form, so that no eigenvalue of T_P exceeds the number of ideals
-        of norm P, 2·N(P) + 1 at most, times N(P)^(k/2−1). Raises :class:`LatticeError` where P divides the
-        level and P² the norm.
+        The values have an invariant definite form, so every eigenvalue of T_P is at most the number of ideals
+        of norm P, which is at most 2·N(P) + 1, times N(P)^(k/2−1). Raises :class:`LatticeError` if P divides
+        the level and P² divides the norm.
         """
         factors = self.base.factorisation(norm)
         for P, e in factors:

@@ -1,8 +1,8 @@
 """Solutions of a + b·q = 0 with given trace and norm, in every algebra over a field.
 
-The trace and b·q are linear in q. Along the radical the norm does not change; modulo it the algebra is
-simple, or of dimension 2 or less with a trace that is not 0, so that a line is left, on which the norm has
-degree 2. In characteristic 2 with t = 0 the trace is 0 and the norm additive: linear after taking roots.
+The trace and b·q are linear in q. The norm is constant along the radical. Modulo the radical the algebra is
+simple, or of dimension at most 2 with a nonzero trace, so that a line remains, on which the norm has degree
+2. In characteristic 2 with t = 0 the trace is 0 and the norm is additive, hence linear after taking roots.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ def of_trace_and_norm(A: Parent, t: Scalar, n: Scalar) -> Quaternion | None:
 
 
 def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Scalar, n: Scalar) -> Spaces:
-    """Return all q of trace t and norm n with a + b·q = 0, where x² − t·x + n divides norm(a + b·x).
+    """Return all q of trace t and norm n with a + b·q = 0, if x² − t·x + n divides norm(a + b·x).
 
-    If b is a unit, there is one q, for norm(a + b·x) is N(b)·(x² − tr(q)·x + N(q)).
+    If b is a unit, there is one q, because norm(a + b·x) is N(b)·(x² − tr(q)·x + N(q)).
     """
     F, c = A.ring, A.constants
     if b.is_unit():
@@ -68,7 +68,7 @@ def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Scalar, n: Scalar) -> 
 
 
 def _additive(q: Quaternion, free: list[Quaternion], n: Scalar) -> Spaces:
-    """Return the q + Σ s·v with N(q) + Σ s²·N(v) = n."""
+    """Return the elements q + Σ s·v with N(q) + Σ s²·N(v) = n."""
     A, F = q.algebra, q.algebra.ring
     *parts, right = ([*square_parts(F, x)] for x in (*(v.norm() for v in free), n - q.norm()))
     rows = [[part[m] for part in parts] for m in range(len(right))]

@@ -1,8 +1,8 @@
-"""Polynomials in a central variable over a quaternion algebra, coefficients on the left, and their roots.
+"""Polynomials in a central variable over a quaternion algebra, with left coefficients, and their roots.
 
-B. Gordon and T. Motzkin, "On the zeros of polynomials over division rings", Trans. AMS 116 (1965). If
-f(q) = 0, then f = h·(x − q), so that x² − tr(q)·x + N(q) divides norm(f); modulo it f is a + b·x, and
-a + b·q = 0 is linear.
+B. Gordon and T. Motzkin, "On the zeros of polynomials over division rings", Trans. AMS 116 (1965). If f(q) =
+0, then f = h·(x − q), so x² − tr(q)·x + N(q) divides norm(f). Modulo this quadratic polynomial f is a + b·x,
+and a + b·q = 0 is a linear equation.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class Polynomials:
     variable: str = "x"
 
     def __call__(self, coefficients: str | Iterable[object]) -> Polynomial:
-        """Return the polynomial with these coefficients, low degree first, or of this text."""
+        """Return the polynomial with these coefficients, low degree first, or the polynomial of a text."""
         if isinstance(coefficients, str):
             return self.parse(coefficients)
         if is_of_sympy(coefficients):
@@ -79,12 +79,12 @@ class Polynomials:
         return Polynomial(self, tuple(found))
 
     def _of_sympy(self, x: object) -> Polynomial:
-        """Return the polynomial whose coordinates are polynomials of sympy in the variable."""
+        """Return the polynomial whose coordinates are sympy polynomials in the variable."""
         given = coordinates_in(x) or (x, 0, 0, 0)
         rows = [coefficients_in(c, self.variable) for c in given]
         size = max(map(len, rows))
         columns = zip(*([*row, *[0] * (size - len(row))] for row in rows), strict=True)
-        if is_quaternion(x):  # by the algebra, which knows whether it has such
+        if is_quaternion(x):  # the algebra checks the coordinates
             return self([self.algebra(type(x)(*column)) for column in columns])
         return self([self.algebra(*column) for column in columns])
 
@@ -112,7 +112,8 @@ class Polynomials:
 
 @dataclass(frozen=True, eq=False)
 class Polynomial(PrintedBySympy):
-    """``coefficients[0] + coefficients[1]·x + …``, x central, the last coefficient not 0.
+    """The polynomial ``coefficients[0] + coefficients[1]·x + …`` with x central and a nonzero last
+    coefficient.
 
     >>> from hfield import H
     >>> A = H("QQ"); e, i, j, k = A.basis
@@ -129,7 +130,7 @@ class Polynomial(PrintedBySympy):
 
     @property
     def degree(self) -> int:
-        """The degree; −1 for 0."""
+        """The degree; −1 for the zero polynomial."""
         return len(self.coefficients) - 1
 
     def __bool__(self) -> bool:
@@ -203,7 +204,7 @@ class Polynomial(PrintedBySympy):
         return self.parent([c.conjugate() for c in self.coefficients])
 
     def norm(self) -> Polynomial:
-        """Return f·conj(f), the coefficients of which lie in the base ring; multiplicative."""
+        """Return f·conj(f), whose coefficients lie in the base ring; it is multiplicative."""
         return self * self.conjugate()
 
     def divmod_right(self, other: object) -> tuple[Polynomial, Polynomial]:
@@ -214,7 +215,7 @@ class Polynomial(PrintedBySympy):
         return self._divided(other, left=False)
 
     def divmod_left(self, other: object) -> tuple[Polynomial, Polynomial]:
-        """Return h and r with f = g·h + r and deg r < deg g; as :meth:`divmod_right`."""
+        """Return h and r with f = g·h + r and deg r < deg g; see :meth:`divmod_right`."""
         return self._divided(other, left=True)
 
     def _divided(self, other: object, left: bool) -> tuple[Polynomial, Polynomial]:
@@ -233,27 +234,29 @@ class Polynomial(PrintedBySympy):
     def gcd_right(self, other: object) -> Polynomial:
         """Return the greatest common right divisor, the monic g with A[x]·f + A[x]·other = A[x]·g, or 0.
 
-        Raises :class:`NotInvertibleError` where a remainder's leading coefficient is not a unit.
+        Raises :class:`NotInvertibleError` if the leading coefficient of a remainder is not a unit.
         """
         return self._euclid(other, left=False)[0]
 
     def gcd_left(self, other: object) -> Polynomial:
-        """Return the monic greatest common left divisor; as :meth:`gcd_right`."""
+        """Return the monic greatest common left divisor; see :meth:`gcd_right`."""
         return self._euclid(other, left=True)[0]
 
     def lcm_left(self, other: object) -> Polynomial:
-        """Return the monic m of least degree that is h·f and h′·other, the least common left multiple.
+        """Return the least common left multiple: the monic m of least degree of the form h·f = h′·other.
 
-        Raises :class:`NotInvertibleError` as :meth:`gcd_right`, and for 0.
+        Raises :class:`NotInvertibleError` as :meth:`gcd_right` does, and for 0.
         """
         return self._euclid(other, left=False)[1]
 
     def lcm_right(self, other: object) -> Polynomial:
-        """Return the monic least common right multiple, f·h = other·h′; as :meth:`lcm_left`."""
+        """Return the monic least common right multiple, f·h = other·h′; see :meth:`lcm_left`."""
         return self._euclid(other, left=True)[1]
 
     def _euclid(self, other: object, left: bool) -> tuple[Polynomial, Polynomial]:
-        """Return gcd and lcm on one side: where a remainder s·f + t·other is 0, s·f is a common multiple."""
+        """Return gcd and lcm on one side; if a remainder s·f + t·other is 0, then s·f is a common
+        multiple.
+        """
         P, f, g = self.parent, self, self._operand(other)
         s, u = P([1]), P([])
         while g:
@@ -269,7 +272,9 @@ class Polynomial(PrintedBySympy):
         return self * back if left else back * self
 
     def text(self, style: str = "plain") -> str:
-        """Write f, high degree first, in the style ``plain``, which is read, ``unicode`` or ``latex``."""
+        """Write f, high degree first, in the style ``plain`` (which can be read back), ``unicode`` or
+        ``latex``.
+        """
         x, out = self.parent.variable, ""
         for n, c in reversed(list(enumerate(self.coefficients))):
             if not c:
@@ -307,16 +312,17 @@ class Polynomial(PrintedBySympy):
     # --- roots ---------------------------------------------------------------------------------
 
     def roots(self) -> Roots:
-        """Return all q of the algebra with f(q) = 0, over a field.
+        """Return all q in the algebra with f(q) = 0, over a field.
 
-        S(t, n) are the q with q² = t·q − n. All of those in ``spheres`` are roots; ``isolated`` are roots
-        alone in their S(t, n), ``families`` are the rest, by trace and norm; where norm(f) = 0 and there are
-        zero divisors modulo the radical, they are one family. ``scalars`` are the roots in the base field, in
-        spheres too; ``count()`` and ``elements()`` count and list all.
+        S(t, n) is the set of all q with q² = t·q − n. For each (t, n) in ``spheres`` all of S(t, n) are
+        roots; ``isolated`` are roots that are the only ones in their S(t, n); ``families`` are the others, by
+        trace and norm. If norm(f) = 0 and there are zero divisors modulo the radical, the others are one
+        family. ``scalars`` are the roots in the base field, including those in spheres; ``count()`` and
+        ``elements()`` count and list all.
 
-        Raises :class:`CoercionError` for f = 0, and :class:`UndecidedError` where norm(f) is not factored,
-        over rings that are no fields, and in that last case where the algebra is infinite and its radical
-        not 0.
+        Raises :class:`CoercionError` for f = 0. Raises :class:`UndecidedError` if norm(f) is not factored,
+        over rings that are not fields, and, if norm(f) = 0 and there are zero divisors modulo the radical,
+        for an infinite algebra with nonzero radical.
         """
         A = self.parent.algebra
         F = A.ring
@@ -359,11 +365,11 @@ class Polynomial(PrintedBySympy):
         return [c.coordinates[0] for c in self.norm().coefficients]
 
     def _in_socle(self) -> Polynomial:
-        """Return g with norm(q) dividing norm(g) for all roots q, where coefficients lie in the radical R.
+        """Return g such that norm(q) divides norm(g) for all roots q, if coefficients lie in the radical R.
 
-        Some y·f ≠ 0 has coefficients that R annihilates; if A/R is a field these are multiples g·s of one
-        of them, s·q is q′·s with q′ of the trace and norm of q, and g(q′) is in R, along which the norm does
-        not change. Over A/R with zero divisors, and without R, norm(g) may be 0.
+        Some y·f ≠ 0 has coefficients that R annihilates. If A/R is a field, these are multiples g·s of one of
+        them; s·q is q′·s with q′ of the trace and norm of q, and g(q′) is in R, along which the norm is
+        constant. If A/R has zero divisors, and if R = 0, norm(g) may be 0.
         """
         A, F, f = self.parent.algebra, self.parent.algebra.ring, self
         basis = [A(*q) for q in radical(F, A.constants)]
@@ -385,7 +391,7 @@ class Polynomial(PrintedBySympy):
         return self
 
     def _singular_roots(self) -> Roots:
-        """Return the roots where norm(f) = 0 and the algebra has zero divisors modulo its radical."""
+        """Return the roots if norm(f) = 0 and the algebra has zero divisors modulo its radical."""
         A = self.parent.algebra
         F = A.ring
         content: list[Scalar] = []
@@ -418,12 +424,13 @@ class Polynomial(PrintedBySympy):
         return Roots(spheres, (), (family,), scalars, self)
 
     def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | Verdict[None]:
-        """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
+        """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer if there are no such
+        factors.
 
-        Over a division algebra any root may be the last: factors are unique up to similarity and order
-        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many, as
-        over GF(q), q ≤ 17. Raises :class:`NotInvertibleError` unless c is a unit, and
-        :class:`UndecidedError` where roots are not found, or too many are left to try.
+        Over a division algebra any root may be the last factor: factors are unique up to similarity and order
+        (O. Ore, Annals of Math. 34 (1933)). Over split algebras all roots are tried, if there are finitely
+        many, as over GF(q), q ≤ 17. Raises :class:`NotInvertibleError` unless c is a unit, and
+        :class:`UndecidedError` if roots are not found, or there are too many to try.
         """
         A = self.parent.algebra
         if not self:
@@ -479,7 +486,7 @@ class Factoring:
         return None
 
     def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:
-        """Yield roots: one of each kind first, then, in a finite algebra, all others."""
+        """Yield roots: first one of each kind, then, in a finite algebra, all others."""
         yield from _some(self.algebra, found)
         if self.is_finite:
             yield from found.elements()

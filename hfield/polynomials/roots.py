@@ -1,7 +1,7 @@
-"""The roots of a polynomial over a quaternion algebra: spheres, single roots, families and scalars.
+"""The roots of a polynomial over a quaternion algebra: spheres, isolated roots, families and scalars.
 
-S(t, n) = {q : q² = t·q − n} has all elements of trace t and norm n outside F, and the scalars r and s
-where x² − t·x + n = (x − r)·(x − s). Roots outside F are counted by trace and norm, those in F one by one.
+S(t, n) = {q : q² = t·q − n} consists of all elements of trace t and norm n outside F, and the scalars r and s
+if x² − t·x + n = (x − r)·(x − s). Roots outside F are counted by trace and norm, those in F one by one.
 """
 
 from __future__ import annotations
@@ -25,14 +25,16 @@ if TYPE_CHECKING:
     from hfield.polynomials.polynomial import Polynomial
 
 MAX_LISTED_ROOTS = 1_000_000
-MAX_LISTED_ELEMENTS = 100_000  # of an algebra that is neither simple nor a field modulo its radical
+MAX_LISTED_ELEMENTS = 100_000  # of an algebra neither simple nor a field modulo its radical
 
 Spheres = tuple[tuple[Scalar, Scalar], ...]
 
 
 @dataclass(frozen=True)
 class Family(ABC):
-    """An infinite or multiple set of roots: of trace t and norm n, or, where these are None, of several."""
+    """An infinite or multiple set of roots, of trace t and norm n; if t and n are None, of several traces and
+    norms.
+    """
 
     t: Scalar | None
     n: Scalar | None
@@ -54,7 +56,7 @@ class Family(ABC):
 
 @dataclass(frozen=True)
 class AffineFamily(Family):
-    """The roots of one trace and norm, that of no sphere: some points, each plus the span of directions."""
+    """The roots of one trace and norm (not of a sphere): several points, each plus the span of directions."""
 
     points: tuple[Quaternion, ...] = field(repr=False)
     directions: tuple[Quaternion, ...] = field(repr=False)
@@ -65,7 +67,7 @@ class AffineFamily(Family):
         return F.equal(q.trace(), self.t) and F.equal(q.norm(), self.n) and not self.polynomial(q)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Yield the roots over a finite field, or where there are no directions."""
+        """Yield the roots over a finite field, or if there are no directions."""
         F = self.example.algebra.ring
         scalars = list(F.elements()) if self.directions else []
         for q in self.points:
@@ -73,7 +75,7 @@ class AffineFamily(Family):
                 yield sum((v * s for v, s in zip(self.directions, factors, strict=True)), q)
 
     def count(self) -> int:
-        """Return the number of roots: the points times all combinations of the directions."""
+        """Return the number of roots: the number of points times the number of combinations of directions."""
         order = self.example.algebra.ring.order
         if self.directions and order is None:
             raise _infinite(self.polynomial)
@@ -114,7 +116,9 @@ class SingularFamily(Family):
 
 
 def matrices_of(f: Polynomial) -> tuple[CoordinateSplitting, list[Matrix]] | None:
-    """Return a splitting of the algebra and the coefficients as matrices; None where it is not simple."""
+    """Return a splitting of the algebra and the coefficients as matrices; None if the algebra is
+    not simple.
+    """
     A = f.parent.algebra
     if not A.is_central_simple():
         return None
@@ -136,7 +140,7 @@ class Roots:
     """All roots: ``spheres`` (t, n) of all q with q² = t·q − n, ``isolated`` roots, and other
     ``families``.
 
-    ``scalars`` are all roots in the base field, wherever else they lie.
+    ``scalars`` are all roots in the base field, whether or not they are also in other lists.
     """
 
     spheres: Spheres
@@ -152,8 +156,8 @@ class Roots:
     def count(self) -> int:
         """Return the number of roots.
 
-        Raises :class:`NotFiniteError` where there are infinitely many, which over a finite field never
-        happens, and :class:`TooLargeError` for a polynomial of norm 0 over a large finite field.
+        Raises :class:`NotFiniteError` if there are infinitely many, which never happens over a finite field,
+        and :class:`TooLargeError` for a polynomial of norm 0 over a large finite field.
 
         >>> from hfield import H
         >>> H("GF(7)").polynomials()("x^2 - 1").roots().count()
@@ -164,9 +168,9 @@ class Roots:
         return total + sum(m.count() - sum(map(m.contains, self.scalars)) for m in self.families)
 
     def elements(self) -> Iterator[Quaternion]:
-        """Yield all roots, those in the base field first, each once.
+        """Yield all roots without repetition, those in the base field first.
 
-        Raises :class:`NotFiniteError` as :meth:`count`, and :class:`TooLargeError` for more than
+        Raises :class:`NotFiniteError` as :meth:`count` does, and :class:`TooLargeError` for more than
         ``MAX_LISTED_ROOTS``.
         """
         number = self.count()

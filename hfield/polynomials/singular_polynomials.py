@@ -1,9 +1,9 @@
-"""Find and count the roots in M₂(F) of a polynomial of norm 0, by traces and norms, and by one row of it.
+"""Find and count the roots in M₂(F) of a polynomial of norm 0, by trace and norm, and by one of its rows.
 
-A polynomial with matrices for coefficients is a matrix of polynomials, and its norm is the determinant. Where
-the norm is 0 the polynomial, if not 0, is a column without common factor times a row w, and q is a root where
-Σ wₙ·qⁿ = 0. Modulo x² − t·x + n the row is a + b·x; where a and b are independent, the q with b·q = −a and
-a·q = t·a + n·b is the one root of trace t and norm n.
+A polynomial with matrices as coefficients is a matrix of polynomials, and its norm is the determinant. If the
+norm is 0 and the polynomial is not, the polynomial is a column without common factor times a row w, and q is
+a root if Σ wₙ·qⁿ = 0. Modulo x² − t·x + n the row is a + b·x. If a and b are independent, the q with b·q = −a
+and a·q = t·a + n·b is the only root of trace t and norm n.
 """
 
 from __future__ import annotations
@@ -52,11 +52,11 @@ def other_roots(
 
 
 def count_other_roots(F: Ring, f: Sequence[Matrix]) -> int:
-    """Return how many these roots are over a finite field.
+    """Return the number of these roots over a finite field.
 
-    Modulo x² − t·x + n the row is a + b·x. There is one root where a and b are independent, that is, where
-    x² − t·x + n divides no combination of the entries. To a root r of the content belong q matrices for
-    every (x − r)·(x − s) that does not divide it.
+    Modulo x² − t·x + n the row is a + b·x. There is one root if a and b are independent, that is, if x² − t·x
+    + n divides no combination of the entries. Each root r of the content gives q matrices for every (x −
+    r)·(x − s) that does not divide it.
 
     Raises :class:`TooLargeError` over a field of more than ``MAX_COMBINATIONS`` elements.
     """
@@ -85,7 +85,7 @@ def _keys(F: Ring, pairs: Iterator[tuple[Scalar, Scalar]]) -> set[tuple[Hashable
 
 
 def _row(F: Ring, f: Sequence[Matrix]) -> tuple[list[Scalar], Row]:
-    """Return polynomials c and w₁, w₂ without common divisor: the roots of f are those of c·(w₁, w₂)."""
+    """Return polynomials c and w₁, w₂ without common divisor such that f has the roots of c·(w₁, w₂)."""
     rows = [[[c[r][s] for c in f] for s in (0, 1)] for r in (0, 1)]
     row = next(row for row in rows if any(not F.is_zero(c) for entry in row for c in entry))
     divisor = common_divisor(F, *row)
@@ -102,7 +102,9 @@ def _roots_at(
     places: Iterable[tuple[Scalar, Scalar]],
     every: bool,
 ) -> Iterator[Matrix]:
-    """Yield roots with given traces and norms outside the spheres: one for each pair, or ``every`` one."""
+    """Yield roots with given traces and norms outside the spheres: one for each pair, or all of them with
+    ``every``.
+    """
     known = {(F.key(t), F.key(n)) for t, n in spheres}
     for t, n in places:
         if (F.key(t), F.key(n)) in known:
@@ -124,7 +126,9 @@ def _roots_at(
 def _with_a_left_eigenvector(
     F: Ring, g: list[Scalar], v: list[Scalar], spheres: Sequence[tuple[Scalar, Scalar]]
 ) -> Matrix | None:
-    """Return a q with v·g(q) = 0 outside the spheres: v is an eigenvector to a root of g; or None."""
+    """Return a q outside the spheres with v·g(q) = 0, where v is an eigenvector of q for a root of g; or
+    None.
+    """
     for factor in F.irreducible_factors(g):
         if len(factor) == 2:
             r = -factor[0]
@@ -159,7 +163,7 @@ def _traces_and_norms(F: Ring, size: int) -> Iterator[tuple[Scalar, Scalar]]:
 
 
 def _elements(F: Ring, count: int) -> Iterator[Scalar]:
-    """Yield a number of elements, or all."""
+    """Yield ``count`` elements, or all if there are fewer."""
     if not F.characteristic or F.characteristic >= count:
         yield from map(F, range(count))
     elif F.order is None:

@@ -30,7 +30,7 @@ class Attempts:
         return tuple(self._refusals)
 
     def answer(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T | None:
-        """Return the result of a method; None if the work is too large or the method undecided."""
+        """Return the result of a method, or None if the work is too large or the question undecided."""
         try:
             return method(*args, **kwargs)
         except HFieldError as error:
@@ -38,7 +38,7 @@ class Attempts:
             return None
 
     def decide(self, methods: Iterable[Method], *tried: str) -> Decision:
-        """Return the answer of the first method that has one, or that it is undecided, and why."""
+        """Return the answer of the first method that has one, else "undecided" with the reasons."""
         decision = self.first(methods)
         return undecided(*self.refusals, *tried) if decision is None else decision
 

@@ -12,7 +12,8 @@ from hfield.fields.base.ring import INFINITY
 class Clock:
     """A clock that runs out at ``end``, in seconds of :func:`time.thread_time`.
 
-    What a thread itself works counts: on a busy machine an answer comes later, and is the same.
+    The clock counts the CPU time of the thread, so that on a busy machine an answer comes later but is the
+    same.
 
     >>> Clock.of(-1).is_late
     True
@@ -22,7 +23,7 @@ class Clock:
 
     @classmethod
     def of(cls, seconds: float) -> Clock:
-        """Return a clock that runs out after so many seconds from now."""
+        """Return a clock that runs out in so many seconds."""
         return cls(thread_time() + seconds)
 
     @property
@@ -40,7 +41,7 @@ class Clock:
         return Clock(min(self.end, thread_time() + seconds))
 
     def share(self, part: float, least: float = 0.0) -> Clock:
-        """Return a clock with a part of the time that is left, or with ``least`` seconds."""
+        """Return a clock with a fraction of the remaining time, or with ``least`` seconds."""
         return Clock(thread_time() + max(part * self.seconds_left, least))
 
 

@@ -1,8 +1,8 @@
-"""Decide a statement: read the text, choose a method, try it, answer.
+"""Decide a statement: read the text, choose a method, apply it, return the decision.
 
-Nearly everything is decided in this process, since the procedures estimate before they begin. Some
-things cannot be estimated: factoring structure constants of many digits, or comparing nested roots. They are
-decided in a process of their own, which is ended when its time is over or its memory full.
+Nearly everything is decided in this process, since the procedures estimate the work in advance. Two tasks
+cannot be estimated: factoring structure constants with many digits, and comparing nested roots. They run in a
+subprocess, which is terminated when its time or memory runs out.
 """
 
 import sys
@@ -43,8 +43,8 @@ TIMEOUT = 30.0
 class Question:
     """A ``problem`` whose time limit has not started, and the texts from which it was read.
 
-    ``given`` are the hypotheses that were named apart, ``algebra`` is None for H, ``timeout`` in seconds.
-    ``remarks`` say how ambiguous words were read.
+    ``given`` are the separate hypotheses, ``algebra`` is None for H, ``timeout`` is in seconds. ``remarks``
+    describe how ambiguous words were read.
     """
 
     text: str
@@ -84,11 +84,11 @@ def decide(
 ) -> Decision:
     """Decide a statement about the quaternions over a field; see docs/reference/language.md for the language.
 
-    ``field`` is a ring, its text, or None for all fields at once. ``given`` are hypotheses that are
-    put in front of the statement. ``algebra`` is H if None, else a text such as ``(-1,-3|QQ)``, or
-    ``(a,b|F)`` with unknown constants. ``timeout`` bounds the time in seconds. Raises
-    :class:`NotationError` or :class:`RingError` for what cannot be read; never guesses: what no
-    procedure settles is ``undecided``, with what was tried.
+    ``field`` is a ring, its text, or None for all fields at once. ``given`` are hypotheses, added in front of
+    the statement. ``algebra`` is None for H, or a text such as ``(-1,-3|QQ)``, or ``(a,b|F)`` with unknown
+    constants. ``timeout`` is the time limit in seconds. Raises :class:`NotationError` or :class:`RingError`
+    for unreadable input. It never guesses: a statement that no procedure decides is ``undecided``, with the
+    methods that were tried.
     """
     return answer(read_question(statement, field, given, algebra, timeout))
 
@@ -110,7 +110,7 @@ def decide_in_process(question: Question) -> Decision:
 
 @remembered
 def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
-    """Try the methods, where the algebra exists; ``ring`` and ``timeout`` are for the memory."""
+    """Apply the methods where the algebra exists; ``ring`` and ``timeout`` are parts of the cache key."""
     exists, attempts = algebra_exists(problem), Attempts()
     if exists is False:
         return _no_algebra(problem)
@@ -134,7 +134,7 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
 
 
 def _evaluate_constants(problem: Problem) -> None:
-    """Evaluate the constants of the field. Raises :class:`UndecidedError` where one may not exist."""
+    """Evaluate the constants of the field. Raises :class:`UndecidedError` if one may not exist."""
     if problem.field is not None:
         for text in problem.statement.constants:
             constant(problem.field, text)
@@ -152,9 +152,7 @@ def _never_false(problem: Problem) -> Decision | None:
 
 
 def _tried(problem: Problem) -> Decision:
-    """Decide by the method for existential or for universal statements; unsatisfiable hypotheses are
-    vacuous.
-    """
+    """Decide by the methods for existential or universal statements; unsatisfiable hypotheses are vacuous."""
     statement = problem.statement
     method = quantifiers.decide if statement.exists else universal.decide
     decision = method(problem)
@@ -176,7 +174,7 @@ MEMORY = 1 << 30
 GRACE = 1.0  # seconds beyond the time limit for starting and answering
 MAX_DIGITS = 12
 MAX_WEIGHT = 300
-SLOW_WEIGHT = 60  # where roots of numbers are compared
+SLOW_WEIGHT = 60  # if roots of numbers are compared
 MAX_NAME, MAX_NAME_DIGITS = 60, 20  # of a field: long names and long numbers make slow arithmetic
 
 
@@ -197,7 +195,7 @@ def _digits(text: str) -> int:
 
 
 def decide_in_subprocess(question: Question) -> Decision | None:
-    """Decide in a subprocess; None for a user's own field, which has no name there."""
+    """Decide in a subprocess; None for a user-defined field, which has no name in the subprocess."""
     import json
     import pickle
     import subprocess

@@ -38,13 +38,13 @@ __all__ = [
 
 
 class Scope(str):
-    """The scope of a verdict in words; ``primes`` are those of "characteristics [...]"."""
+    """The scope of a verdict in words; ``primes`` are the primes of "characteristics [...]"."""
 
     primes: tuple[int, ...] = ()
 
     @classmethod
     def characteristics(cls, primes: Iterable[int]) -> "Scope":
-        """Return the scope of what holds exactly over the fields and rings of these characteristics."""
+        """Return the scope of a statement that holds exactly over the rings of these characteristics."""
         listed = sorted(primes)
         scope = cls(f"characteristics {listed}")
         scope.primes = tuple(listed)
@@ -59,17 +59,15 @@ COMMUTATIVE_RINGS = Scope(glossary.COMMUTATIVE_RINGS)
 
 @dataclass(frozen=True)
 class Decision:
-    """A verdict and how it was reached; plain data throughout, so it pickles and prints as JSON.
+    """A verdict and how it was reached. It is plain data, so it can be pickled and written as JSON.
 
     ``verdict`` is one of :data:`VERDICTS`. ``method`` names the procedure in the words of
-    :mod:`hfield.checker.glossary`. ``witness`` maps each
-    unknown to the texts of its coordinates (four, or one for a scalar), which the field reads back;
-    where no field was named, the key ``F`` holds the field that the witness lives in. ``steps`` are
-    lines that one could put on a blackboard. ``scope`` says where the statement was proved:
+    :mod:`hfield.checker.glossary`. ``witness`` maps each unknown to the texts of its coordinates (four, or
+    one for a scalar), which the field can read; if no field was named, the key ``F`` holds the field of the
+    witness. ``steps`` are the lines of the proof. ``scope`` says where the statement was proved:
     ``commutative rings``, ``reduced rings``, ``fields``, ``ordered fields``, ``characteristics [..]`` or
-    ``field``.
-    ``assumes`` lists theorems that are cited and not checked, ``tried`` what an undecided
-    statement was tried with. ``evidence`` is what a program checks it by.
+    ``field``. ``assumes`` lists theorems that are cited and not checked, and ``tried`` the methods tried on
+    an undecided statement. ``evidence`` is the data with which a program checks the verdict.
     """
 
     verdict: str
@@ -90,9 +88,10 @@ class Decision:
     def certificate(
         self, statement: str, algebra: str, field: Ring | None
     ) -> dict[str, object] | None:
-        """Return this as a certificate ``hfield-cert/2``, unchecked; None without verdict or evidence.
+        """Return the decision as an unchecked certificate ``hfield-cert/2``; None without verdict or
+        evidence.
 
-        Nor is there one over a ring that has no data, such as one of one's own.
+        There is also none over a ring without a data format, such as a user-defined ring.
         """
         data, name = (None, None) if field is None else (field.data, field.name)
         if field is not None and data is None:

@@ -1,7 +1,7 @@
-"""Decide whether the structure constants of an algebra are defined somewhere.
+"""Decide whether the structure constants of an algebra are defined for some values.
 
-A constant such as ``1/a`` or ``1/2`` is defined where what is divided by is a unit of the ring. A
-statement speaks of those values of the letters only; where there are none, it speaks of nothing.
+A constant such as ``1/a`` or ``1/2`` is defined if the divisor is a unit of the ring. A statement is only
+about values of the letters for which the constants are defined; if there are none, it has no content.
 """
 
 from dataclasses import replace
@@ -24,7 +24,7 @@ MODULI = range(2, 14)
 def algebra_exists(problem: Problem) -> bool | None:
     """Return whether the structure constants are defined for some values of the letters.
 
-    Over all fields at once: in some field. None where that is not known.
+    Over all fields at once: in some field. None if this is not known.
     """
     if not problem.setting.divides:
         return True
@@ -63,7 +63,7 @@ def _exists(problem: Problem) -> bool | None:
 
 
 def _generically(problem: Problem) -> bool:
-    """Decide over an infinite field, or all fields: no divisor is 0 as a polynomial."""
+    """Decide over an infinite field, or all fields, whether no divisor is 0 as a polynomial."""
     world = Symbolic(problem)
     if problem.field is None:
         return all(c != 0 for c in world.conditions)

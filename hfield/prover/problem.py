@@ -1,4 +1,4 @@
-"""A problem: a statement, its setting, a deadline, and a memory of problems before it."""
+"""A problem: a statement, its setting, a deadline, and a cache shared with earlier problems."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Memory:
     def recall(
         self, kind: str, key: Hashable, make: Callable[[], T], lasting: Callable[[], bool]
     ) -> T:
-        """Return the cached value of a key, or compute it, and cache it if it is ``lasting``."""
+        """Return the cached value of a key, or compute it and cache it if it is ``lasting``."""
         kept = self._kept.setdefault(kind, {})
         found: T = kept.get(key, _NOTHING)
         if found is _NOTHING:
@@ -43,16 +43,16 @@ class Memory:
         return found
 
     def cache_clear(self) -> None:
-        """Clear the cache; the name is that of functools."""
+        """Clear the cache, under the same name as in functools."""
         self._kept.clear()
 
 
-MEMORY = Memory()  # shared by all problems of the process that bring none of their own
+MEMORY = Memory()  # shared by all problems of the process without a budget of their own
 
 
 @dataclass(frozen=True)
 class Problem:
-    """``statement`` is to be decided where ``setting`` says, before the ``clock`` runs out."""
+    """A ``statement`` to be decided in a ``setting`` before the ``clock`` runs out."""
 
     statement: Statement
     setting: Setting
@@ -66,13 +66,13 @@ class Problem:
 
     @property
     def ring(self) -> Ring:
-        """The ring of a problem about one."""
+        """The ring of a problem about one ring."""
         assert self.setting.field is not None
         return self.setting.field
 
     @property
     def letters(self) -> frozenset[str]:
-        """The unknowns that are structure constants, for which 0 is tried last."""
+        """The unknowns that are structure constants; for these 0 is tried last."""
         return frozenset(self.setting.letters).intersection(self.statement.sorts)
 
     # --- time ------------------------------------------------------------------------------------
@@ -83,11 +83,11 @@ class Problem:
         return self.clock.is_late
 
     def within(self, seconds: float) -> Problem:
-        """Return the problem with at most this many seconds of the remaining time."""
+        """Return the problem with at most ``seconds`` of the remaining time."""
         return replace(self, clock=self.clock.within(seconds))
 
     def share(self, part: float, least: float = 0.0) -> Problem:
-        """Return the problem with a part of the time that is left, or ``least`` seconds."""
+        """Return the problem with a fraction of the remaining time, or ``least`` seconds."""
         return replace(self, clock=self.clock.share(part, least))
 
     # --- other problems --------------------------------------------------------------------------
@@ -97,13 +97,13 @@ class Problem:
         return replace(self, setting=replace(self.setting, field=ring))
 
     def with_statement(self, statement: Statement) -> Problem:
-        """Return another problem of the same setting, to be decided in the same time."""
+        """Return another problem with the same setting and deadline."""
         return replace(self, statement=statement)
 
     def for_formula(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
-        """Return the problem ``node`` for all values of the unknowns, or of those with ``names``.
+        """Return the problem ``node`` for all values of the unknowns, or of the unknowns ``names``.
 
-        Constants of the field that were put in for unknowns count as constants of the statement.
+        Constants of the field that were substituted for unknowns count as constants of the statement.
         """
         old = self.statement
         unknowns = old.unknowns
@@ -125,7 +125,9 @@ class Problem:
         return self.with_statement(made)
 
     def without_constants(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
-        """Return the same, without the constants of the field that neither it nor the algebra has."""
+        """Return the same problem without constants of the field that occur neither in it nor in
+        the algebra.
+        """
         made, trees = self.for_formula(node, names), (node, *self.setting.trees)
         used = {text for tree in trees for text in constants_in(tree, self.field)}
         own = tuple(text for text in made.statement.constants if text in used)
@@ -133,7 +135,7 @@ class Problem:
 
     @property
     def matrix(self) -> Node:
-        """The statement without its quantifier: hypotheses ⇒ conclusion."""
+        """The quantifier-free part: hypotheses ⇒ conclusion."""
         return implication(self.statement.hypotheses, self.statement.conclusion)
 
 
@@ -154,10 +156,10 @@ def constants_in(node: Node, ring: Ring | None) -> Iterator[str]:
 def remembered(
     function: Callable[Concatenate[Problem, P], T],
 ) -> Callable[Concatenate[Problem, P], T]:
-    """Cache the answers of a function of a problem, unless it ran out of time.
+    """Cache the results of a function of a problem, unless it ran out of time.
 
-    Statement and structure constants tell the problem; a function that depends on more of it, such as
-    the ring, has that among its arguments, which are hashable.
+    The statement and the structure constants identify the problem. If the function depends on more, such as
+    the ring, that must be among its arguments, which are hashable.
     """
 
     @wraps(function)

@@ -43,7 +43,7 @@ _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APP
 class Answer:
     """A statement with its decision. Its truth value raises UndecidedError if it is undecided.
 
-    Answers are equal when statement, algebra, field and decision are, pickled ones too.
+    Answers are equal if statement, algebra, field and decision are equal, also after pickling.
     """
 
     statement: Statement
@@ -57,20 +57,20 @@ class Answer:
 
     @property
     def witness(self) -> Mapping[str, list[str]] | None:
-        """The values found, as texts that the field reads back: unknown → its coordinates."""
+        """The values found, as a map from unknowns to coordinates, as texts that the field can read."""
         return self.decision.witness
 
     @property
     def exit_status(self) -> int:
-        """The exit status of the command: 0 proved or vacuous, 1 refuted, 3 undecided."""
+        """The exit status of the command: 0 for proved or vacuous, 1 for refuted, 3 for undecided."""
         return EXIT_STATUS[self.verdict]
 
     @property
     def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+        """The certificate ``hfield-cert/2`` as JSON data, accepted by the checker, or None.
 
-        There is none for what is not decided, and none where the checker cannot follow, since it does not
-        know the constants or would have to do too much; :attr:`why_no_certificate` says which.
+        There is none for undecided statements. There is also none if the checker does not know the constants
+        or checking would take too long; :attr:`why_no_certificate` gives the reason.
         """
         data = self._evidence
         if data is None or self.why_no_certificate is not None:
@@ -79,7 +79,7 @@ class Answer:
 
     @cached_property
     def why_no_certificate(self) -> str | None:
-        """The reason why there is no certificate, in a line; None where there is one."""
+        """The reason, on one line, why there is no certificate; None if there is one."""
         if self._evidence is None:
             decided = self.verdict in (PROVED, REFUTED, VACUOUS)
             if decided and self.setting.field is not None and self.setting.field.data is None:
@@ -93,7 +93,7 @@ class Answer:
 
     @property
     def _evidence(self) -> dict[str, object] | None:
-        """The decision as a certificate, whatever a checker says of it."""
+        """The decision as a certificate, before the checker has seen it."""
         d = self.decision
         if not is_complete(d.evidence):
             return None
@@ -101,16 +101,18 @@ class Answer:
 
     @property
     def text(self) -> str:
-        """The statement as typed, with separately given hypotheses in front."""
+        """The statement as typed, with separate hypotheses in front."""
         return self.statement.text
 
     @property
     def field(self) -> str | None:
-        """The name of the field, None for all fields."""
+        """The name of the field, or None for all fields."""
         return None if self.setting.field is None else self.setting.field.name
 
     def to_json(self, certificate: str | None = None) -> dict[str, object]:
-        """Return the answer in the form ``hfield-prove/1``; ``certificate`` names a file written."""
+        """Return the answer in the format ``hfield-prove/1``; ``certificate`` is the name of a
+        written file.
+        """
         d = self.decision
         return {
             "schema": "hfield-prove/1",
@@ -134,7 +136,7 @@ class Answer:
 
     @property
     def place(self) -> str:
-        """Where the statement was decided, in words that follow the verdict."""
+        """The scope of the decision, in words that follow the verdict."""
         d = self.decision
         where = self.setting.algebra if not self.setting.is_hamilton else ""
         where = f", in {shorten(where)}" if where else ""
@@ -172,18 +174,18 @@ class Answer:
 
 
 class ConsequenceAnswer(Answer):
-    """Whether equations follow from relations; the products of a counterexample are its witness."""
+    """Whether equations follow from relations; the witness is the products of a counterexample."""
 
     @property
     def place(self) -> str:
-        """Where the statement was decided, in words that follow the verdict."""
+        """The scope of the decision, in words that follow the verdict."""
         over = "" if self.field is None else f" that is an algebra over {self.field}"
         whole = "not in every ring" if self.verdict == REFUTED else "in every ring"
         return f", {whole} with identity{over}"
 
 
 def _value(texts: list[str]) -> str:
-    """Write the coordinates of a witness as people do: ``1 + 2i − k``."""
+    """Write the coordinates of a witness as a sum: ``1 + 2i − k``."""
     if len(texts) == 1:
         return texts[0]
     out = ""
@@ -208,15 +210,15 @@ def prove(
 ) -> Answer:
     """Decide a statement about quaternions and return the answer with its evidence.
 
-    ``field`` is a ring, its text, a domain of sympy or a field of galois; None decides for all fields at
-    once. ``given`` is a hypothesis, or
-    several, put in front of the statement; both may have the signs in which answers are printed
-    (``p·q̄ ≠ 0``). ``algebra`` is one, or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None),
-    or a :class:`StructureAlgebra`; ``timeout`` is the time in seconds. Raises :class:`NotationError` with
-    a position for what cannot be read.
+    ``field`` is a ring, its text, a sympy domain or a galois field; with None the statement is decided for
+    all fields at once. ``given`` is one or more hypotheses, added in front of the statement. Both may use the
+    signs in which answers are printed (``p·q̄ ≠ 0``). ``algebra`` is an algebra (also a
+    :class:`StructureAlgebra`), or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)``; None stands for H.
+    ``timeout`` is the time limit in seconds. Raises :class:`NotationError` with the position of unreadable
+    text.
 
-    With ``relations``, such as ``"i*i == j*j == -1"``, the statement is about every ring with identity with
-    elements i, j and k that satisfy them, or every algebra with identity over ``field``: the answer has
+    With ``relations``, such as ``"i*i == j*j == -1"``, the statement is about every ring with identity, or
+    every algebra with identity over ``field``, with elements i, j and k that satisfy them. The answer has
     cofactors, or an algebra in which it fails (Theorem 1 of the thesis).
 
     The language is described in docs/reference/language.md.
@@ -243,7 +245,7 @@ def prove(
         return _from_relations(plain(statement), relations, field, timeout)
     where = None if algebra is None else str(algebra)
     if field is None and algebra is not None and not isinstance(algebra, str):
-        field = algebra.ring  # which may be one of one's own, that no name is read as
+        field = algebra.ring  # it may be a user-defined ring that no name refers to
     question = read_question(statement, field, hypotheses, where, timeout)
     problem, decision = question.problem, answer(question)
     read, table = problem.statement, problem.setting.table
@@ -289,7 +291,7 @@ def _from_relations(
 
 
 def _elements(witness: dict[str, list[str]], table: StructureAlgebra) -> dict[str, list[str]]:
-    """Return a witness with elements of the algebra, as texts, in the place of coordinates."""
+    """Return a witness with elements of the algebra, as texts, instead of coordinates."""
     found = dict(witness)
     for letter, names in BLOCKS.items():
         if letter in found:

@@ -1,4 +1,4 @@
-"""The lines of a proof, as sentences of ``steps.json`` in several languages."""
+"""The lines of a proof, as sentences from ``steps.json`` in several languages."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -19,7 +19,7 @@ class Step(str):
         return line
 
     def strip(self, chars: str | None = None) -> "Step":
-        """Return the line without the blanks around it."""
+        """Return the line without surrounding blanks."""
         return self.at(super().strip(chars))
 
     def said(self, language: str, other: Callable[[str], str | None]) -> str | None:
@@ -35,13 +35,13 @@ class Step(str):
 
 @cache
 def sentences() -> dict[str, dict[str, str]]:
-    """Return the sentences by their names and languages."""
+    """Return the sentences by name and language."""
     table: dict[str, dict[str, str]] = json.loads(get_data("hfield.prover", "steps.json") or "{}")
     return table
 
 
 def say(name: str, **slots: object) -> Step:
-    """Return a sentence of the table with its slots filled: formulas, numbers, other lines.
+    """Return a sentence of the table with its slots filled by formulas, numbers or other lines.
 
     >>> say("all-zero", R="ℤ").said("pl", str)
     'wszystkie współczynniki różnicy są równe 0 w ℤ'
@@ -53,5 +53,5 @@ def say(name: str, **slots: object) -> Step:
 
 
 def indented(line: str) -> str:
-    """Return a line, further to the right."""
+    """Return a line with more indentation."""
     return line.at(f"  {line}") if isinstance(line, Step) else f"  {line}"

@@ -20,7 +20,7 @@ class Chapter:
     """One chapter: its section in the thesis (numbers and dots), its title, and its body as HTML.
 
     An entry point of the group ``hfield.report_sections`` names a function of a language (``en`` or ``pl``)
-    that returns one. The body must ask the network for nothing.
+    that returns a chapter. The body must not load anything from the network.
     """
 
     section: str
@@ -48,7 +48,7 @@ def require(wanted: Sequence[str]) -> None:
 def chapters(
     wanted: Sequence[str], language: str, progress: Progress | None = None
 ) -> list[Chapter]:
-    """Make the chapters named, in the order of their sections. Raises :class:`ChapterError`."""
+    """Build the named chapters, in the order of their sections. Raises :class:`ChapterError`."""
     require(wanted)
     points = entry_points(group=GROUP)
     made = []

@@ -1,4 +1,4 @@
-"""Small parts of the page: formulas, names of fields, verdicts with their marks."""
+"""Small parts of the page: formulas, field names, verdicts with their symbols."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Words = dict[str, str]
 
 
 def formula(text: str) -> str:
-    """Typeset a statement as formulas, a line for each operand of ``and``; nothing for words.
+    """Typeset a statement as formulas, one line for each operand of ``and``; nothing for prose.
 
     >>> formula("the top has 2002 points")
     ''
@@ -34,14 +34,14 @@ def formula(text: str) -> str:
 
 
 def field_html(name: str) -> str:
-    """Typeset the name of a column: ``GF(9)`` as F with index 9, ``QQ(sqrt(2))`` as ℚ(√2)."""
+    """Typeset a column name: ``GF(9)`` as F with index 9, ``QQ(sqrt(2))`` as ℚ(√2)."""
     if name in (UNIVERSAL, NO_FIELD):
         return "∀" if name == UNIVERSAL else "–"
     return prose(name)
 
 
 def prose(text: str) -> str:
-    """Set a text, names of fields, indices and powers in it as mathematics: ``p = i over QQ``, ``e_i``.
+    """Typeset a text, with field names, indices and powers in it as mathematics: ``p = i over QQ``, ``e_i``.
 
     >>> prose("{e_{i_1}}_{i=1}^k, R_zyx and rotation_axis")
     '{e<sub>i<sub>1</sub></sub>}<sub>i=1</sub><sup>k</sup>, R<sub>zyx</sub> and rotation_axis'
@@ -59,12 +59,12 @@ def prose(text: str) -> str:
 
 
 def field_text(name: str) -> str:
-    """Return the name of a column without tags, for lists of options: ``F9``."""
+    """Return a column name without tags, for lists of options: ``F9``."""
     return re.sub("<[^>]*>", "", field_html(name))
 
 
 def verdict_html(verdict: str, words: Words) -> str:
-    """Set a verdict as its mark and its word, in its colour."""
+    """Typeset a verdict as its symbol and its word, in its colour."""
     mark = f'<b aria-hidden="true">{MARKS[verdict]}</b>'
     return f'<span class="verdict {verdict}">{mark} {words[verdict]}</span>'
 

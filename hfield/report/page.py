@@ -1,12 +1,12 @@
-"""Write the page of a report as one file with its style and script.
+"""Write a report as one HTML file with its style and script.
 
-At its head the summary by section, and the claims × fields matrix that the page filters.
+It begins with a summary by section and the claims × fields matrix, which the page can filter.
 
-The claims one by one: what is said, how it was decided over each field, with steps and certificates.
+Then come the claims: the statement, and how it was decided over each field, with steps and certificates.
 
-The errata among them again: the print, where and why it fails, the smallest witness, the correction.
+Then come the errata: the printed text, where and why it fails, the smallest witness, the correction.
 
-The certificates of all decisions, packed into the page: a line of JSON each, compressed together.
+Finally the certificates of all decisions: one line of JSON each, compressed together.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def page(
 ) -> str:
     """Return the report as one HTML page in ``language``, ``en`` or ``pl``.
 
-    ``ledger`` is the name of a ledger of one's own; without it the rows are the thesis's.
+    ``ledger`` is the name of a user's own ledger; without it the rows are those of the thesis.
     """
     from hfield import __version__
 
@@ -87,7 +87,7 @@ def _file(name: str) -> str:
 
 
 def _summary(rows: Sequence[Row], certificates: int, words: Words) -> str:
-    """Typeset the numbers of claims and decisions by section and verdict, and the unexpected ones."""
+    """Typeset the numbers of claims and decisions by section and verdict, and the unexpected decisions."""
     claims = list(dict.fromkeys(row.claim for row in rows))
     counts = tally(rows)
     figures = [
@@ -133,7 +133,7 @@ def _thousands(n: int) -> str:
 
 
 def _filters(rows: Sequence[Row], words: Words) -> str:
-    """Write the controls, which a script makes visible."""
+    """Write the filter controls, which a script makes visible."""
     sections = [(s, s) for s in dict.fromkeys(row.claim.section for row in rows)]
     fields = [(f, field_text(f) + _meaning(f, words)) for f in columns_of(rows)]
     verdicts = [(v, f"{MARKS[v]} {words[v]}") for v in VERDICTS]
@@ -160,7 +160,9 @@ def _select(name: str, label: str, every: str, options: Sequence[tuple[str, str]
 
 
 def _matrix(rows: Sequence[Row], words: Language) -> str:
-    """Set the matrix: a line a claim, a column a field; a cell has its mark, and its word for readers."""
+    """Typeset the matrix: one line per claim, one column per field; each cell has a symbol, and a word for
+    screen readers.
+    """
     fields, claims = marked(rows, {verdict: verdict for verdict in VERDICTS})
     top = "".join(
         f'<th scope="col" data-f="{escape(f)}">{field_html(f)}'
@@ -205,7 +207,7 @@ Alike = tuple[str, str, str, str]
 
 
 def claims_html(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
-    """Set all claims, by section."""
+    """Typeset all claims by section."""
     sections = groupby(by_claim(rows), key=lambda own: own[0].claim.section)
     return "\n".join(_section(name, own, certificates, words) for name, own in sections)
 
@@ -249,7 +251,7 @@ def description(facts: Sequence[tuple[str, str]]) -> str:
 
 
 def _decisions(rows: Sequence[Row], certificates: Certificates, words: Language) -> str:
-    """Write the decisions of a claim as a folded table, with equal decisions in one line."""
+    """Write the decisions on a claim as a collapsible table, with equal decisions on one line."""
     alike: dict[Alike, list[Row]] = {}
     for row in rows:
         alike.setdefault(_alike(row), []).append(row)
@@ -313,7 +315,7 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
 
 
 def _reasons(decision: Decision, words: Language) -> str:
-    """Write the steps of a decision, its citations and the methods tried, as lines."""
+    """Write the steps of a decision, its citations and the methods tried, one per line."""
     steps = [words.html(step.strip(), "li", MAX_LETTERS) for step in decision.steps]
     if len(steps) > MAX_STEPS:
         more = words["more_steps"].format(n=len(steps) - MAX_STEPS + 1)
@@ -325,7 +327,7 @@ def _reasons(decision: Decision, words: Language) -> str:
 
 
 def errata_html(rows: Sequence[Row], words: Language) -> str:
-    """Set every erratum, numbered."""
+    """Typeset all errata as a numbered list."""
     found = errata(rows)
     if not found:
         return f"<p>{words['no_errata']}</p>"
@@ -377,7 +379,7 @@ Key = tuple[str, str, bool]
 
 
 class Certificates:
-    """Certificates by their place in the pack, a number from 0."""
+    """Certificates by index in the compressed block, from 0."""
 
     def __init__(
         self, rows: Sequence[Row], progress: Callable[[int, int, str], None] | None = None
@@ -399,7 +401,7 @@ class Certificates:
         return len(self._lines)
 
     def number(self, row: Row, corrected: bool = False) -> int | None:
-        """Return the place of a row's certificate, or of its correction's; None where there is none."""
+        """Return the index of the certificate of a row or of its correction, or None if there is none."""
         return self._numbers.get((row.claim.id, row.field, corrected))
 
     def packed(self) -> str:

@@ -36,7 +36,7 @@ def term(text: str, words: Words) -> str:
 
 
 def _polish(text: str) -> str:
-    """Return the translation, or nothing."""
+    """Return the Polish translation, or nothing."""
     if found := _NUMBERED.fullmatch(text):
         what, number, proof = found.groups()
         name = _TERMS.get(what, "")
@@ -46,7 +46,7 @@ def _polish(text: str) -> str:
 
 OURS = (
     ("hfield.report", "reasons.toml"),
-)  # what the prover says, and the claims that Python decides
+)  # the prover's texts, and the claims that are decided in Python
 
 
 class Language(dict[str, str]):
@@ -58,22 +58,22 @@ class Language(dict[str, str]):
         self._translation = None if name == "en" else Translation(claims, name, OURS)
 
     def for_claim(self, claim: Claim) -> TranslatedClaim | None:
-        """Return the text of a claim in this language, or None if there is only an English one."""
+        """Return the text of a claim in this language, or None if it exists only in English."""
         if self._translation is None:
             return TranslatedClaim(claim.name, claim.statement, claim.note)
         return self._translation.for_claim(claim)
 
     def printed(self, claim: Claim) -> str:
-        """Write the text of the thesis, in Polish."""
+        """Write the text of the thesis, which is in Polish."""
         text = self._translation.printed(claim) if self._translation else claim.quotation
         return f'<p lang="pl">{prose(text)}</p>'
 
     def say(self, text: str) -> str | None:
-        """Return a text in this language, or None where it is known in English only."""
+        """Return a text in this language, or None if it exists only in English."""
         return text if self._translation is None else self._translation.say(text)
 
     def html(self, text: str, tag: str = "span", most: int | None = None) -> str:
-        """Write a text in this language, cut after ``most`` letters; untranslated text is marked as
+        """Write a text in this language, cut after ``most`` characters; untranslated text is marked as
         English.
         """
         said = self.say(text)
@@ -88,7 +88,7 @@ class Language(dict[str, str]):
         return formula(text) or self.html(text, "p")
 
     def name(self, claim: Claim) -> str:
-        """Set the name of a claim."""
+        """Typeset the name of a claim."""
         translated = self.for_claim(claim)
         return (
             prose(translated.name) if translated else f'<span lang="en">{prose(claim.name)}</span>'

@@ -14,9 +14,10 @@ from hfield.report.page_texts import LANGUAGES
 
 
 def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) -> str:
-    """Return the report as a document that pdflatex compiles; the page has every field, this the telling one.
+    """Return the report as a document for pdflatex; unlike the page, it shows one field per claim.
 
-    Each claim is shown over one field: where it is refuted, else the first in which it is decided.
+    Each claim is shown over a field over which it is refuted, or else the first field over which it is
+    decided.
     """
     from hfield import __version__
 
@@ -33,6 +34,6 @@ def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) 
 
 
 def _telling(rows: Sequence[Row]) -> Row:
-    """Return the row that says most: the first that is refuted, else the first that is decided."""
+    """Return the most informative row: the first that is refuted, else the first that is decided."""
     order = (REFUTED, *(v for v in VERDICTS if v not in (REFUTED, NOT_APPLICABLE)), NOT_APPLICABLE)
     return min(rows, key=lambda row: order.index(row.as_printed.verdict))

@@ -1,6 +1,6 @@
 """The grammar of ring elements, quaternions and statements: from text to syntax tree.
 
-Python's expression syntax, read by a parser of our own and never by ``eval``::
+Python's expression syntax, parsed by hfield itself and never by ``eval``::
 
     statement := "exists" NAME ("," NAME)* ":" statement | infix
     infix     := prefix (OPERATOR infix)*   binding, from loose to tight:
@@ -9,9 +9,9 @@ Python's expression syntax, read by a parser of our own and never by ``eval``::
     power     := atom ("[" digit "]")? (("**" | "^") integer)?
     atom      := NUMBER | NAME | NAME "(" statement ("," statement)* ")" | "(" statement ")"
 
-Chains associate to the left, ``=>`` to the right; comparisons and ``<=>`` do not chain. An
-exponent is an integer literal, signed and in parentheses if one likes. What a name means is
-not decided here: rings, algebras and the prover each bring their own names.
+Chains associate to the left, ``=>`` to the right; comparisons and ``<=>`` do not chain. An exponent is an
+integer literal, optionally with a sign and parentheses. The meaning of names is not decided here: rings,
+algebras and the prover each have their own names.
 """
 
 from hfield.syntax.building import (

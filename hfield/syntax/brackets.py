@@ -10,9 +10,9 @@ CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
 def outside(text: str) -> Iterator[tuple[int, str]]:
-    """Yield the characters outside all brackets, each with its place; a bracket is not outside itself.
+    """Yield the characters outside all brackets, each with its position; brackets themselves are not yielded.
 
-    Raises :class:`NotationError` where the brackets do not match.
+    Raises :class:`NotationError` if the brackets do not match.
 
     >>> "".join(char for _, char in outside("f(x,y), [z]"))
     'f, '
@@ -31,7 +31,7 @@ def outside(text: str) -> Iterator[tuple[int, str]]:
 
 
 def split(text: str, separator: str) -> list[str]:
-    """Part a text at the separators outside all brackets. Raises :class:`NotationError`.
+    """Split a text at the separators outside all brackets. Raises :class:`NotationError`.
 
     >>> split("root(2,3), I", ",")
     ['root(2,3)', ' I']
@@ -53,9 +53,9 @@ def is_balanced(text: str) -> bool:
 
 
 def last_group(text: str) -> tuple[str, str, str]:
-    """Split a text that ends with a pair of brackets: the text before, the opening bracket, the content.
+    """Split a text that ends with a bracket group: the text before, the opening bracket, the content.
 
-    Three empty texts where it ends otherwise.
+    Return three empty texts if it does not end with one.
 
     >>> last_group("QQ[s]/(s^3-2)(x)")
     ('QQ[s]/(s^3-2)', '(', 'x')

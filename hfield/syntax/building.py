@@ -12,7 +12,7 @@ from hfield.syntax.tree import Call, Compare, Logic, Name, Node, Not, Operand, n
 
 
 def names(text: str) -> tuple[Name, ...]:
-    """Return the names in a text, with blanks between them."""
+    """Return the names in a text that are separated by blanks."""
     return tuple(map(Name, text.split()))
 
 
@@ -82,5 +82,5 @@ def iff(x: Node | str, y: Node | str) -> Node:
 
 
 def statement(text: Node | str) -> Node:
-    """Return a text as a tree, and a tree as it is."""
+    """Return a text as a tree; return a tree unchanged."""
     return parse(text) if isinstance(text, str) else text

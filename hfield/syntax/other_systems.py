@@ -1,4 +1,4 @@
-"""Read algebras as Magma, Sage and PARI write them; write algebras, elements and lattices for them."""
+"""Read algebras in the notation of Magma, Sage and PARI; write algebras, elements and lattices for them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.ring import Ring
 
 RATIONALS = ("Rationals()", "RationalField()", "QQ", "y")
-WRITTEN = {  # over ℚ or GF(q); over ℚ[s]/(f), with the letter that stands for s
+WRITTEN = {  # over ℚ or GF(q); over ℚ[s]/(f), with the letter that represents s
     "magma": (
         "QuaternionAlgebra<{F} | {a}, {b}>",
         "QuaternionAlgebra<K | {a}, {b}> where K is NumberField(Polynomial([{c}]))",
@@ -51,7 +51,7 @@ class _WithPolynomial(Protocol):
 
 
 def written(F: Ring, c: Constants, system: str) -> str:
-    """Write an algebra as a system reads it.
+    """Write an algebra in the notation of a system.
 
     Raises :class:`RingError` for algebras with t ≠ 0, and over other fields.
     """
@@ -75,12 +75,14 @@ def written(F: Ring, c: Constants, system: str) -> str:
 
 
 def _kind(F: Ring) -> object:
-    """Return the kind of field by its data, None where it has none."""
+    """Return the kind of field by its data, None if it has none."""
     return None if F.data is None else F.data["kind"]
 
 
 def pari_scale(F: Ring, x: Scalar) -> int:
-    """Return a denominator of an element: PARI's constants have none, and i and j are multiplied by it."""
+    """Return a denominator of an element: PARI's constants must be integral, and i and j are multiplied by
+    it.
+    """
     return lcm(*map(int, re.findall(r"/(\d+)", F.text(x))))
 
 
@@ -91,11 +93,11 @@ SIDES = {"left": "lideal", "right": "rideal", "two-sided": "ideal"}
 
 
 class OtherSystemWriter:
-    """Write elements of an algebra, and lattices by their bases, as code of another system.
+    """Writes elements of an algebra, and lattices by their bases, as code for another system.
 
-    Sage and Magma read expressions that name the algebra. PARI's elements are columns ``[u, v]~`` over the
-    field of x with x² = a, for u + j·v, and lattices are vectors of columns. Raises :class:`RingError` as
-    :func:`written` does.
+    For Sage and Magma these are expressions that name the algebra. For PARI, elements are columns ``[u, v]~``
+    over the field of x with x² = a, for u + j·v, and lattices are vectors of columns. Raises
+    :class:`RingError` as :func:`written` does.
     """
 
     def __init__(self, F: Ring, constants: Constants, system: str) -> None:
@@ -110,7 +112,7 @@ class OtherSystemWriter:
         return self._named(self._part(q))
 
     def lattice(self, basis: Sequence[Coordinates]) -> str:
-        """Write a lattice: for Sage as a fractional ideal, else as the list of its basis."""
+        """Write a lattice: for Sage as a fractional ideal, for others as the list of its basis."""
         if self.system == "sage":
             return f"{self.algebra}.ideal({self._list(basis)})"
         return self._named(self._list(basis))
@@ -134,7 +136,7 @@ class OtherSystemWriter:
         return self._named(whole)
 
     def _named(self, text: str) -> str:
-        """Say in Magma's words which algebra A is."""
+        """Write which algebra A is, in Magma's notation."""
         return f"{text} where A is {self.algebra}" if self.system == "magma" else text
 
     def _scalar(self, x: Scalar) -> str:
@@ -146,7 +148,7 @@ class OtherSystemWriter:
         return f"[{', '.join(map(self._scalar, q))}]"
 
     def _part(self, q: Coordinates) -> str:
-        """Write an element inside of a list."""
+        """Write an element as part of a list."""
         if self.system != "pari":
             return f"A!{self._row(q)}" if self.system == "magma" else self._row(q)
         F = self.ring
@@ -167,7 +169,7 @@ class OtherSystemWriter:
 
     def _order(self, basis: Sequence[Coordinates]) -> str:
         if self.system == "sage" and _kind(self.ring) != "rationals":
-            # over number fields Sage's check fails, and without it nothing is coerced
+            # over number fields Sage's check fails; without it nothing is coerced
             definitions, algebra = self.algebra.split("; ")
             elements = ", ".join(f"B({self._row(q)})" for q in basis)
             return f"{definitions}; B = {algebra}; B.quaternion_order([{elements}], check=False)"
@@ -189,7 +191,7 @@ class OtherSystemWriter:
 
 
 def read(text: str) -> str | None:
-    """Convert the text of an algebra by Magma, Sage or PARI to our notation; None for any other text.
+    """Convert an algebra in the notation of Magma, Sage or PARI to hfield's; None for any other text.
 
     >>> read("QuaternionAlgebra< RationalField() | -1, -3 >"), read("alginit(nfinit(y^2-5), [-1, y])")
     ('(-1,-3|QQ)', '(-1,s|QQ[s]/(s^2-5))')

@@ -26,10 +26,10 @@ from hfield.syntax.tree import (
     Power,
 )
 
-MAX_HEIGHT = 400  # of the tree, which whoever walks it climbs in one frame a step
+MAX_HEIGHT = 400  # nodes of the tree; walking it takes one frame per level
 MAX_DIGITS = 4_000
 
-# How tightly an infix operator binds; those of one strength associate to the left, but for "=>".
+# Precedence of infix operators; operators of equal precedence associate to the left, except "=>".
 BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
 BINDS |= dict.fromkeys(ORDER, 6)
 NOT, COMPARE, UNARY = 5, 6, 9
@@ -37,7 +37,7 @@ NOT, COMPARE, UNARY = 5, 6, 9
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![\w.]))?)"
     r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|<=|>=|\*\*|[-+*/^()\[\],:<>]))",
-    re.ASCII,  # one way to write a digit or a name: what looks alike is alike
+    re.ASCII,  # only one way to write a digit or a name: characters that look alike are equal
 )
 _BLANKS = " \t\n\r\f\v"
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "×": "*"})
@@ -59,7 +59,7 @@ _FOR_ALL = ("forall", "all", "every", "for")
 
 @lru_cache(maxsize=1024)
 def parse(text: str) -> Node:
-    """Read a statement or a term. Raises :class:`NotationError` with the position of the fault."""
+    """Read a statement or a term. Raises :class:`NotationError` with the position of the error."""
     if len(text) > MAX_LENGTH:
         raise NotationError(
             f"the text has {len(text)} characters, more than the {MAX_LENGTH} that are read"
@@ -104,12 +104,12 @@ class _TreeParser:
     # --- tokens --------------------------------------------------------------------------------
 
     def step(self) -> None:
-        """Go on to the next token."""
+        """Advance to the next token."""
         self.index += 1
         self.kind, self.token, self.position = self.tokens[self.index]
 
     def take(self, *expected: str) -> str:
-        """Return the current token and go on, if it is one of ``expected``; else return ''."""
+        """Return the current token and advance, if it is one of ``expected``; else return ''."""
         token = self.token
         if token and token in expected:
             self.step()
@@ -125,7 +125,7 @@ class _TreeParser:
         raise NotationError(message, self.text, self.position)
 
     def mend(self) -> str:
-        """Return what to write where a product's sign is missing, as in ``2q``."""
+        """Return the corrected text if a product sign is missing, as in ``2q``."""
         before = self.tokens[self.index - 1][1]
         if before in _FOR_ALL:
             return f": unknowns stand for all elements, write the statement without {before!r}"
@@ -152,7 +152,7 @@ class _TreeParser:
         )
 
     def grow(self, node: Node, *children: Node) -> Node:
-        """Record the depth of the tree, and raise before recursion would overflow."""
+        """Record the depth of the tree, and raise an error before recursion would overflow."""
         height = 1 + max((self.heights.get(id(child), 0) for child in children), default=0)
         if height > MAX_HEIGHT:
             self.fail(f"more than {MAX_HEIGHT} operations build on each other; write it in parts")
@@ -206,7 +206,7 @@ class _TreeParser:
         return self.take(self.token)
 
     def power(self, depth: int) -> Node:
-        """Read an atom with its coordinates and its exponent."""
+        """Read an atom with its indices and its exponent."""
         node, position = self.atom(depth), self.position
         while self.take("["):
             if isinstance(node, Index):

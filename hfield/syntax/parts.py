@@ -1,4 +1,4 @@
-"""Parts of a text that keep their positions, so that errors name the character in the whole text."""
+"""Parts of a text that keep their positions, so that errors refer to the whole text."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ CLOSING = {"(": ")", "[": "]", "{": "}", "<": ">"}
 
 @dataclass(frozen=True)
 class SourceSpan:
-    """The letters of ``source`` from ``start`` to ``end``.
+    """The part of ``source`` from ``start`` to ``end``.
 
     >>> part = SourceSpan.of(" f(x, y) ")
     >>> function, inside = part.call()
@@ -27,12 +27,12 @@ class SourceSpan:
 
     @classmethod
     def of(cls, text: str) -> SourceSpan:
-        """Return a whole text without blanks around it."""
+        """Return a whole text, without surrounding blanks."""
         return cls(text, 0, len(text)).strip()
 
     @property
     def text(self) -> str:
-        """The letters."""
+        """The characters of the part."""
         return self.source[self.start : self.end]
 
     def __getitem__(self, part: slice) -> SourceSpan:
@@ -40,13 +40,13 @@ class SourceSpan:
         return SourceSpan(self.source, self.start + start, self.start + end)
 
     def strip(self) -> SourceSpan:
-        """Return the part without blanks around it."""
+        """Return the part without surrounding blanks."""
         text = self.text
         start = len(text) - len(text.lstrip())
         return self[start : max(start, len(text.rstrip()))]
 
     def match(self, pattern: re.Pattern[str]) -> dict[str, SourceSpan] | None:
-        """Return the named groups of a pattern that matches all of the part, None for another part."""
+        """Return the named groups of a pattern that matches the whole part, or None."""
         found = pattern.fullmatch(self.text)
         if found is None:
             return None
@@ -77,7 +77,9 @@ class SourceSpan:
         return None if found is None or found[0].text else found[1]
 
     def call(self, opening: str = "(") -> tuple[SourceSpan, SourceSpan] | None:
-        """Return the text before the last pair of brackets and its content, if the part ends with it."""
+        """Return the text before the last bracket group and the group's content, if the part ends with a
+        group.
+        """
         text, closing, depth = self.text, CLOSING[opening], 0
         if not text.endswith(closing):
             return None

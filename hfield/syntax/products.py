@@ -1,7 +1,7 @@
-"""Write out products without a sign, coordinates in parentheses, and chains of comparisons.
+"""Insert product signs, expand coordinates in parentheses, and expand chains of comparisons.
 
-``(1+2i)(3+j)`` is a product. So is ``ij``, if ``i`` and ``j`` are names and ``ij`` is none. ``(0,1,0,0)`` is
-``i``, and ``a == b == c`` is ``a == c and b == c``. Ambiguous texts are refused.
+``(1+2i)(3+j)`` is a product. So is ``ij``, if ``i`` and ``j`` are names and ``ij`` is not. ``(0,1,0,0)`` is
+``i``, and ``a == b == c`` is ``a == c and b == c``. Ambiguous texts are rejected.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _MATRICES = ("matrix", "column", "row", "transpose")
 _KEYWORDS = frozenset(("and", "or", "not", "exists"))
 # Words made of known letters that are not read as products.
 _WORDS = frozenset(["pi", "exp", "sqrt", "tr", "re", "sp", "true", "every", "set", "yet"])
-MAX_SPLIT = 4  # letters of a word that is read as a product, unless it consists of e, i, j and k
+MAX_SPLIT = 4  # letters of a word read as a product, unless it consists of e, i, j and k
 _LOGIC = ("=>", "<=>", ":", *_KEYWORDS)
 _TYPED_COMPARISON = re.compile(r"[=<>!]+")
 _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
@@ -62,13 +62,13 @@ class Vocabulary:
         names: frozenset[str] = frozenset(),
         functions: frozenset[str] = frozenset(),
     ) -> Vocabulary:
-        """Return the words of statements, and those of a field or an algebra beside them."""
+        """Return the words of statements, together with those of a field or an algebra."""
         short = {name for name in names if len(name) == 1}
         return cls(letters | _BASIS | short, names, functions.union(_FUNCTIONS, _MATRICES))
 
     @classmethod
     def of_names(cls, names: Iterable[str], functions: Iterable[str] = ()) -> Vocabulary:
-        """Return the words of terms that have these names and functions."""
+        """Return the words of terms with these names and functions."""
         known = frozenset(names)
         letters = frozenset(name for name in known if len(name) == 1)
         return cls(letters, known, frozenset(functions).union(_FUNCTIONS))
@@ -79,7 +79,7 @@ class Vocabulary:
         return self.letters >= {"i", "j", "k"}
 
     def factors(self, word: str) -> str:
-        """Return the letters of which a word is the product; nothing for a word that is a name or unknown."""
+        """Return the letters whose product is a word; nothing for a word that is a name or unknown."""
         if word in self.names or word in self.functions or word in _KEYWORDS or word in _WORDS:
             return ""
         if not self.letters.issuperset(word):
@@ -108,7 +108,7 @@ class _Token:
 
 @dataclass
 class _Group:
-    """A pair of brackets; ``close`` is None where the text ends before it."""
+    """A pair of brackets; ``close`` is None if the text ends before the closing bracket."""
 
     open: _Token
     items: list[_Token | _Group] = field(default_factory=list)
@@ -129,7 +129,7 @@ _Items = list["_Token | _Group"]
 def write_products(letters: Letters, source: str, vocabulary: Vocabulary) -> Typed:
     """Insert the product signs in a text; ``source`` is the typed text.
 
-    Raises :class:`NotationError` where a product has two readings, or a coordinate is not a scalar.
+    Raises :class:`NotationError` if a product has two readings, or a coordinate is not a scalar.
     """
     items, depth = _grouped(letters)
     if depth > MAX_DEPTH:  # the parser refuses it
@@ -141,7 +141,7 @@ def write_products(letters: Letters, source: str, vocabulary: Vocabulary) -> Typ
 
 
 def _grouped(letters: Letters) -> tuple[_Items, int]:
-    """Return the tokens of a text, nested by brackets, and how deep they nest."""
+    """Return the tokens of a text, nested by brackets, and the depth of nesting."""
     items: _Items = []
     stack: list[tuple[_Items, _Group]] = []
     deepest = 0
@@ -176,7 +176,7 @@ def _split(items: _Items, signs: Collection[str]) -> tuple[list[_Items], list[_T
 
 
 class _ProductWriter:
-    """Writes out one text; ``remarks`` report unexpected readings."""
+    """Rewrites one text; ``remarks`` report unexpected readings."""
 
     def __init__(self, source: str, vocabulary: Vocabulary) -> None:
         self.source, self.vocabulary = source, vocabulary
@@ -215,7 +215,7 @@ class _ProductWriter:
             pairs = [(side, "==", sides[-1]) for side in sides[:-1]]
         else:
             pairs = list(zip(sides, operators, sides[1:], strict=False))
-        for n, side in enumerate(map(Letters.strip, sides)):  # errors that name what was typed
+        for n, side in enumerate(map(Letters.strip, sides)):  # errors that name the typed text
             if not side.text:
                 place = signs[max(n - 1, 0)].place
                 where = "after" if n else "before"
@@ -239,8 +239,8 @@ class _ProductWriter:
     def term(self, items: _Items) -> Letters:
         """Write a term with a sign in each product."""
         parts: list[Letters] = []
-        before = ""  # what came before: an "operand", a "function", "unknown", or a sign
-        quotient: list[_Token | _Group] = []  # a summand with a "/" and what it divides by, so far
+        before = ""  # the preceding item: an "operand", a "function", "unknown", or a sign
+        quotient: list[_Token | _Group] = []  # a summand with a "/", and the divisors so far
         start = 0  # of the summand
         last: _Token | _Group | None = None
         for n, item in enumerate(items):
@@ -325,7 +325,7 @@ class _ProductWriter:
         return item.letters.places[-1] + 1
 
     def written(self, item: _Token | _Group, is_argument: bool) -> Letters:
-        """Write one item, a group after a function as its arguments."""
+        """Write one item; a group after a function is written as its arguments."""
         if isinstance(item, _Token):
             if item.kind == "number" and "e" in item.text:
                 self.remarks[f"{item.text} is a decimal number, not a product with the unit e"] = (
@@ -342,7 +342,7 @@ class _ProductWriter:
         return item.open.letters + body + item.close.letters
 
     def word(self, token: _Token) -> Letters:
-        """Write a name, or the product that it is."""
+        """Write a name, or the product that it stands for."""
         word = token.text
         factors = self.vocabulary.factors(word)
         if len(word) == 1 or not factors:
@@ -393,7 +393,7 @@ class _ProductWriter:
         )
 
     def need_scalar(self, items: _Items) -> None:
-        """Refuse a coordinate with a quaternion in it."""
+        """Raise for a coordinate that contains a quaternion."""
         for n, item in enumerate(items):
             after = items[n + 1] if n + 1 < len(items) else None
             if isinstance(item, _Group):

@@ -45,7 +45,7 @@ U = TypeVar("U")
 
 
 class OfTrees(Generic[T]):
-    """A function that reads its arguments itself, as syntax trees: the cosine, of an angle."""
+    """A function that receives its arguments as syntax trees, such as the cosine of an angle."""
 
     def __init__(self, call: Callable[..., T]) -> None:
         self.call = call
@@ -55,7 +55,7 @@ class OfTrees(Generic[T]):
         return self.call(*trees)
 
     def then(self, change: Callable[[T], U]) -> OfTrees[U]:
-        """Return the function whose values are changed, say from a scalar into an element."""
+        """Return the function with converted values, for instance from scalars to elements."""
         return OfTrees(lambda *trees: change(self.call(*trees)))
 
 
@@ -63,8 +63,8 @@ class OfTrees(Generic[T]):
 class Reader(Generic[V]):
     """The protocol of readers: the values of numbers, names and functions.
 
-    ``limit`` bounds the weight of a term (see :func:`weight`), so that nothing is begun that could
-    not end; ``what`` says in errors what was being read.
+    ``limit`` bounds the weight of a term (see :func:`weight`), so that no computation is started that would
+    not end; ``what`` describes the text in error messages.
     """
 
     number: Callable[[int | Fraction], V]
@@ -85,16 +85,16 @@ class Reader(Generic[V]):
         return self.evaluate(node, text)
 
     def read_typed(self, text: str) -> V:
-        """Read a text as people type it: with mathematical signs, and products without a sign.
+        """Read a text as typed by users: with mathematical signs, and products without a sign.
 
-        Raises what :meth:`read` raises, at the positions of what was typed.
+        Raises the same errors as :meth:`read`, with positions in the typed text.
         """
         typed = spell(text, Vocabulary.of_names(self.names, self.functions))
         with reported_as_typed(typed):
             return self.read(typed.text)
 
     def evaluate(self, node: Node, text: str = "") -> V:
-        """Evaluate a term node; a statement (``==``, ``and`` …) is refused."""
+        """Evaluate a term node; a statement (``==``, ``and`` …) raises an error."""
         match node:
             case Number(value):
                 return self.number(value)
@@ -153,7 +153,9 @@ class Reader(Generic[V]):
 
 
 def weight(node: Node) -> int:
-    """Bound the size of a term's value: bits of numbers and degree of names, powers multiplied out."""
+    """Return a bound for the size of a term's value: bits of numbers and degrees of names, powers
+    expanded.
+    """
     match node:
         case Number(value):
             return value.numerator.bit_length() + value.denominator.bit_length() - 1

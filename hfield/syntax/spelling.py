@@ -1,4 +1,4 @@
-"""Rewrite mathematical signs as the plain letters of the language."""
+"""Rewrite mathematical signs in the plain letters of the language."""
 
 import re
 import unicodedata
@@ -74,7 +74,7 @@ _OWN_BAR = re.compile("[^\\x00-\\x7f]")
 def spell(text: str, vocabulary: Vocabulary) -> Typed:
     """Return a text in the plain letters of the language, with the origin of each letter.
 
-    Raises :class:`NotationError` where a product has two readings, or a coordinate is not a scalar.
+    Raises :class:`NotationError` if a product has two readings, or a coordinate is not a scalar.
 
     >>> spell("i² = j² = ijk = -1", Vocabulary.of_statements()).text
     'i**2 == -1 and j**2 == -1 and i*j*k == -1'
@@ -92,7 +92,7 @@ def spell(text: str, vocabulary: Vocabulary) -> Typed:
 
 
 def plain(text: str) -> str:
-    """Return a statement in the plain letters of the language; one that is in them stays as it is.
+    """Return a statement in the plain letters of the language; one already in these letters is unchanged.
 
     >>> plain("[p, q̄]² ≠ 0 ⇒ N(p·q) = N(p)·N(q) ∧ p₀ = 0")
     'comm(p, conj(q))**2 != 0 => norm(p*q) == norm(p)*norm(q)  and  p[0] == 0'
@@ -101,7 +101,7 @@ def plain(text: str) -> str:
 
 
 def plain_element(text: str) -> str:
-    """Return an element's text likewise; of its words only e, i, j and k are known.
+    """Return an element's text in plain letters; the only known words are e, i, j and k.
 
     >>> plain_element("1/5 − 2/5i + x²·k")
     '1/5 - 2/5*i + x**2*k'
@@ -110,7 +110,7 @@ def plain_element(text: str) -> str:
 
 
 def _signs_read(letters: Letters) -> Letters:
-    """Return a text with words and operators in the place of mathematical signs."""
+    """Return a text with mathematical signs replaced by words and operators."""
     in_latex = "\\" in letters.text or _DOLLARS.match(letters.text) is not None
     if in_latex:
         letters = _with_braces(letters)
@@ -145,7 +145,7 @@ def _expect_one_reading_of_moduli(text: str) -> None:
 
 
 def _without_signs(letters: Letters) -> Letters:
-    """Return a text in ASCII, where its signs have a meaning."""
+    """Return a text in ASCII, with signs that have a meaning replaced."""
     # Letters with a bar of their own, such as ū, become a letter and a bar.
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
     letters = letters.sub(_FRACTION, _fraction)
@@ -188,7 +188,7 @@ def _decomposed(char: str) -> str:
 
 
 def _command(found: re.Match[str]) -> tuple[str, ...]:
-    """Return the meaning of a LaTeX command; unknown ones are kept for the error message."""
+    """Return the meaning of a LaTeX command; unknown commands are kept for the error message."""
     if found[1] is None:
         return ("" if "$" in found[0] else " ",)
     meaning = _COMMANDS.get(found[1], found[0])
@@ -196,7 +196,7 @@ def _command(found: re.Match[str]) -> tuple[str, ...]:
 
 
 def _apart(found: re.Match[str]) -> str:
-    """Return the blank that keeps a word apart from a letter in front of it."""
+    """Return the blank that separates a word from a letter before it."""
     return " " if found.start() and found.string[found.start() - 1].isalpha() else ""
 
 
@@ -218,7 +218,7 @@ def _mixed(text: str, number: str, fraction: str) -> NotationError:
 
 
 def _power(found: re.Match[str]) -> tuple[str, ...]:
-    """Return a power; a digit behind it does not belong to the exponent.
+    """Return a power; a digit after it does not belong to the exponent.
 
     Raises :class:`NotationError` for ``²⁻¹``.
     """
@@ -262,7 +262,7 @@ def _with_braces(letters: Letters) -> Letters:
 
 
 def _end_of_group(text: str, place: int) -> int:
-    """Return the offset after a group in braces, or that of the end of the text."""
+    """Return the offset after a group in braces, or the end of the text."""
     depth = 0
     for n in range(place, len(text)):
         depth += (text[n] == "{") - (text[n] == "}")
@@ -274,7 +274,7 @@ def _end_of_group(text: str, place: int) -> int:
 def _without_braces(letters: Letters, in_latex: bool) -> Letters:
     """Write the groups of LaTeX, ``q^{-1}`` and ``frac{p}{2}``, in parentheses.
 
-    Outside LaTeX only an exponent is read in braces.
+    Outside LaTeX only exponents may be in braces.
     """
     text = letters.text
     parts: list[Letters] = []
@@ -314,12 +314,12 @@ class _Bracket:
     def __init__(self, place: int, closing: str) -> None:
         self.place, self.closing = place, closing
         self.of_brackets = True
-        self.empty = True  # nothing of this part has come yet
+        self.empty = True  # nothing of this part has been read yet
         self.parts = 1
         self.nesting = 0  # parentheses that are open inside
 
     def end_part(self) -> None:
-        """Note a comma."""
+        """Record a comma."""
         self.of_brackets &= not self.empty
         self.empty = True
         self.parts += not self.nesting
@@ -336,10 +336,10 @@ class _Bracket:
 
 
 def _commutators(letters: Letters) -> Letters:
-    """Write ``[x, y]`` as ``comm(x, y)``; a bracket after a name or a parenthesis is a coordinate's.
+    """Write ``[x, y]`` as ``comm(x, y)``; a bracket after a name or a parenthesis is an index.
 
-    Four parts in brackets are the coordinates of a quaternion. Raises :class:`NotationError` for what could
-    as well be the rows of a matrix.
+    Four parts in brackets are the coordinates of a quaternion. Raises :class:`NotationError` for text that
+    could also be the rows of a matrix.
     """
     text = letters.text
     if "[" not in text:
@@ -397,7 +397,7 @@ FOREIGN_FUNCTIONS = {
 
 
 def foreign_function_hint(function: str) -> str:
-    """Return the name in the language of a function of the library or of another system.
+    """Return the name in the statement language of a function of hfield or of another system.
 
     >>> foreign_function_hint("reduced_norm"), foreign_function_hint("det")
     (', write norm', '')

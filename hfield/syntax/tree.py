@@ -17,16 +17,16 @@ Operand: TypeAlias = "Node | int | float | Fraction"
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A place in the tree; ``position`` is the offset in the text and does not count in ``==``.
+    """A node of the tree; ``position`` is the offset in the text and is ignored by ``==``.
 
-    Trees are also made by ``+ - * / **``, ``-x`` and ``x[n]``, on trees and numbers; ``==`` asks whether two
-    trees are the same, :func:`hfield.syntax.equal` makes the statement.
+    Trees can also be built by ``+ - * / **``, ``-x`` and ``x[n]`` from trees and numbers. ``==`` compares two
+    trees; :func:`hfield.syntax.equal` builds the statement of equality.
 
     >>> p, q = Name("p"), Name("q")
     >>> p * (q + 1) == Binary("*", p, Binary("+", q, Number(1)))
     True
 
-    ``below`` names the fields in which a kind of node has other nodes, in the order of the text.
+    ``below`` names the fields of a node that contain other nodes, in the order of the text.
     """
 
     below: ClassVar[tuple[str, ...]] = ()
@@ -69,7 +69,7 @@ class Node:
 
 
 def number(value: Operand) -> Node:
-    """Return a number as a tree, as the parser reads its text; a tree is returned as it is.
+    """Return a number as a tree, as the parser reads its text; return a tree unchanged.
 
     >>> number(-2)
     Negate(position=0, operand=Number(position=0, value=2))
@@ -85,14 +85,14 @@ def number(value: Operand) -> Node:
 
 @dataclass(frozen=True, slots=True)
 class Number(Node):
-    """A literal: an int, or a Fraction where it was written with a decimal point."""
+    """A literal: an int, or a Fraction if it was written with a decimal point."""
 
     value: int | Fraction
 
 
 @dataclass(frozen=True, slots=True)
 class Name(Node):
-    """A name, whose meaning the reader of the tree decides."""
+    """A name, whose meaning is decided by the reader of the tree."""
 
     name: str
 
@@ -190,7 +190,7 @@ def children(node: Node) -> tuple[Node, ...]:
 
 @cache
 def _nodes_in(fields: tuple[str, ...]) -> Callable[[Node], tuple[Node, ...]]:
-    """Return what finds the nodes in some fields: trees are walked often."""
+    """Return a function that finds the nodes in some fields, because trees are walked often."""
     if not fields:
         return lambda node: ()
     if len(fields) > 1:

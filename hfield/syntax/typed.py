@@ -40,7 +40,7 @@ class Letters:
 
     @classmethod
     def join(cls, parts: Iterable[Letters]) -> Letters:
-        """Return the parts one after the other."""
+        """Return the concatenation of parts."""
         parts = tuple(parts)
         return cls("".join(p.text for p in parts), tuple(n for p in parts for n in p.places))
 
@@ -53,7 +53,7 @@ class Letters:
         return Letters(self.text + other.text, self.places + other.places)
 
     def strip(self) -> Letters:
-        """Return the text without blanks around it."""
+        """Return the text without surrounding blanks."""
         start = len(self.text) - len(self.text.lstrip())
         return self[start : max(start, len(self.text.rstrip()))]
 
@@ -87,7 +87,7 @@ class Letters:
 
 @dataclass(frozen=True)
 class Typed:
-    """A text as it was typed, ``source``, and the text that is read, ``text``.
+    """A text as typed, ``source``, and the rewritten text that is parsed, ``text``.
 
     ``remarks`` are sentences about unexpected readings.
     """
@@ -98,11 +98,11 @@ class Typed:
     remarks: tuple[str, ...] = ()
 
     def place(self, position: int) -> int:
-        """Return the offset in the typed text of an offset in the text that is read."""
+        """Return the offset in the typed text for an offset in the rewritten text."""
         return self.places[position] if position < len(self.places) else len(self.source.rstrip())
 
     def in_typed_letters(self, reason: str, position: int) -> str:
-        """Return the reason of an error with the sign at fault as it was typed: ``=`` for ``==``."""
+        """Return the reason of an error with the offending sign as it was typed: ``=`` for ``==``."""
         found = _SIGN_READ.match(self.text, position)
         if found is None or repr(found[0]) not in reason:
             return reason
@@ -130,7 +130,7 @@ class Typed:
 
 @contextmanager
 def reported_as_typed(*texts: Typed) -> Iterator[None]:
-    """Report the errors of reading these texts at the letters that were typed."""
+    """Report errors from reading these texts at the typed characters."""
     try:
         yield
     except NotationError as error:

@@ -28,7 +28,7 @@ LOOKS: dict[str, dict[str, str]] = {
 
 
 def try_chart(path: str) -> Path:
-    """Return the path of a chart after trying whether it can be written there.
+    """Return the path of a chart, after checking that it can be written.
 
     Raises :class:`~hfield.cli.output.OutputError`.
     """

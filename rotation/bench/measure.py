@@ -1,6 +1,6 @@
 """Check that an implementation is correct, then time it.
 
-An implementation whose result differs from :meth:`Task.expected` is not timed. Each repeat runs all
+An implementation whose result differs from :meth:`Task.expected` is not timed. Each repetition runs all
 implementations in turn, so that a disturbance of the machine does not affect only one of them.
 """
 
@@ -46,10 +46,11 @@ Report = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Settings:
-    """The extent of a benchmark; ``seconds`` bounds the time of one implementation in one test, without
+    """The extent of a benchmark; ``seconds`` limits the time of one implementation in one test, without
     checks.
 
-    ``cloud`` are the user's points, ``points`` is their number; with None the points are random.
+    ``cloud`` are the user's points and ``points`` is their number; if ``cloud`` is None the points are
+    random.
     """
 
     points: int = 550_000
@@ -60,18 +61,19 @@ class Settings:
     cloud: Array | None = field(default=None, repr=False, compare=False)
 
     def task(self, test: Test, points: int | None = None) -> Task:
-        """Return the input of a test, with the first of the points alone where their number is given."""
+        """Return the input of a test, restricted to the first ``points`` points if that is given."""
         number = self.points if points is None else min(points, self.points)
         return test.make(number if self.cloud is None else self.cloud[:number], self.frames)
 
 
 @dataclass
 class Result:
-    """The result of one implementation in one test, in seconds a frame of all points.
+    """The result of one implementation in one test, in seconds per frame of all points.
 
-    ``samples`` has one mean a repeat; ``best`` is the quickest frame of all: the least disturbed one.
-    ``points`` and ``frames`` are what was timed, of which ``scale`` makes all points. ``error`` is the
-    largest distance from the expected coordinates, ``moved`` from the points themselves.
+    ``samples`` has one mean per repetition; ``best`` is the fastest frame, the one least disturbed.
+    ``points`` and ``frames`` are the timed amounts; multiplying by ``scale`` gives the time for all points.
+    ``error`` is the largest distance from the expected coordinates, ``moved`` the largest distance from the
+    original points.
     """
 
     test: Test
@@ -178,9 +180,9 @@ def _prepare(
 
 
 def points_of(found: object) -> Array:
-    """Return a copy of the result of a frame, since the next frame may write to the same memory.
+    """Return a copy of the result of a frame, because the next frame may overwrite its memory.
 
-    A result that is no array of real numbers becomes NaN of shape ().
+    A result that is not an array of real numbers becomes NaN of shape ().
     """
     try:
         given = np.asarray(found)
@@ -229,7 +231,7 @@ def _sample(runner: _Runner) -> None:
 
 
 def _times(frame: FrameFunction, chosen: Sequence[int]) -> list[float]:
-    """Return the seconds of each frame."""
+    """Return the time of each frame in seconds."""
     times = []
     for n in chosen:
         start = perf_counter()
@@ -253,7 +255,7 @@ def _no_collector() -> Iterator[None]:
 
 @contextmanager
 def _own_threads(number: int) -> Iterator[None]:
-    """Let hfield's calls use ``number`` threads."""
+    """Make hfield use ``number`` threads."""
     from rotation.kernels import threads
 
     before = threads()
@@ -268,8 +270,8 @@ def _own_threads(number: int) -> Iterator[None]:
 def _dealer(number: int) -> Iterator[Callable[[Way, Task], FrameFunction]]:
     """Yield a function that prepares an implementation for ``number`` threads.
 
-    Ours share the work themselves. To the others, which use one thread, the points are dealt: each
-    of the threads runs the way on its part.
+    The functions of this package use threads themselves. Other implementations use one thread, so the points
+    are divided, and each thread runs the implementation on its part.
     """
     with ThreadPoolExecutor(number) as pool:
 

@@ -16,7 +16,7 @@ HINT = "pip install 'hfield[bench]'"
 
 
 def table(results: Sequence[Result], settings: Settings) -> str:
-    """Lay out the results in columns, one table a test."""
+    """Lay out the results in columns, one table per test."""
     s = settings
     lines = [
         f"{s.points} points of float64, {counted(s.frames, 'frame')}, "
@@ -81,7 +81,7 @@ def _row(result: Result, results: Sequence[Result], settings: Settings) -> tuple
 
 
 def _milliseconds(seconds: float) -> str:
-    """Two decimals, and of less than a tenth three figures."""
+    """Format milliseconds with two decimals, or with three digits if below a tenth."""
     ms = 1e3 * seconds
     return f"{ms:.2f}" if ms >= 0.1 else f"{ms:#.3g}"
 
@@ -99,7 +99,9 @@ def remark(result: Result, settings: Settings) -> str:
 
 
 def ratios_of(result: Result, results: Sequence[Result]) -> tuple[float | None, float | None]:
-    """Return best over best of the copy and of our (N, 3) call in the same test."""
+    """Return the ratios of the best time to the best times of the copy and of our (N, 3) call in the same
+    test.
+    """
 
     def over(role: str) -> float | None:
         base = next((r for r in results if r.way.role == role and r.samples), None)
@@ -109,7 +111,7 @@ def ratios_of(result: Result, results: Sequence[Result]) -> tuple[float | None, 
 
 
 def as_json(results: Sequence[Result], settings: Settings) -> dict[str, object]:
-    """Return everything measured, all samples included; times in milliseconds a frame."""
+    """Return all measurements including all samples, with times in milliseconds per frame."""
     from hfield import __version__
 
     tests = list(dict.fromkeys(r.test for r in results))
@@ -133,7 +135,7 @@ def as_json(results: Sequence[Result], settings: Settings) -> dict[str, object]:
 
 
 def as_rows(results: Sequence[Result]) -> list[dict[str, object]]:
-    """Return one dict for each result; times in milliseconds a frame."""
+    """Return one dict for each result, with times in milliseconds per frame."""
     return [_entry(r, [other for other in results if other.test is r.test]) for r in results]
 
 
@@ -166,7 +168,7 @@ def _entry(result: Result, results: Sequence[Result]) -> dict[str, object]:
 
 
 def machine() -> dict[str, object]:
-    """Return what the times depend on: processor, system, versions."""
+    """Return the machine data that affect the times: processor, system, versions."""
     import numba
 
     return {
@@ -181,7 +183,7 @@ def machine() -> dict[str, object]:
 
 
 def machine_line() -> str:
-    """Return the machine in one line."""
+    """Return the machine data on one line."""
     m = machine()
     return (
         f"{m['processor']}, {m['cores']} cores; Python {m['python']}, numpy {m['numpy']}, "

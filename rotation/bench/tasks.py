@@ -1,7 +1,7 @@
 """The two tests of the thesis (3.2.1): the computation of each frame, and its expected result.
 
-The points are uniform in the unit cube, as the thesis's ``random()`` makes them, drawn by numpy from a fixed
-seed; or they are a user's own.
+The points are uniformly distributed in the unit cube, as in the thesis (``random()``), drawn by numpy from a
+fixed seed; or they are the user's own points.
 """
 
 from __future__ import annotations
@@ -26,11 +26,12 @@ SEED = 20_170_228
 class Task:
     """The input of one test, independent of the implementation.
 
-    ``points`` (n, 3). *one axis*: frame f turns all points about z by ``angles[f]``. *own axis*: it
-    turns point i about ``axes[i]``, of any length, by ``angles[f + i]``, so that no frame repeats
-    another. *euler*: it turns point i by R_z(a₀)·R_y(a₁)·R_x(a₂) where a is the point itself.
+    ``points`` has the shape (n, 3). *one axis*: frame f rotates all points about z by ``angles[f]``. *own
+    axis*: it rotates point i about ``axes[i]``, of any length, by ``angles[f + i]``, so that no frame repeats
+    another. *euler*: it rotates point i by R_z(a₀)·R_y(a₁)·R_x(a₂), where a is the point itself.
 
-    Frame number ``frames`` is one more, for checking a way: its angle is no multiple of π/2.
+    One additional frame, number ``frames``, is used to check an implementation: its angle is not a multiple
+    of π/2.
     """
 
     kind: Kind
@@ -41,11 +42,11 @@ class Task:
 
     @property
     def check(self) -> int:
-        """The number of the frame for checking."""
+        """The number of the frame used for checking."""
         return self.frames
 
     def part(self, start: int, stop: int) -> Task:
-        """Return the same task for the points from ``start`` to before ``stop``."""
+        """Return the same task for the points from ``start`` up to but excluding ``stop``."""
         rows = slice(start, stop)
         angles = self.angles if self.kind == "one axis" else self.angles[start : stop + self.frames]
         return Task(self.kind, self.frames, self.points[rows], angles, self.axes[rows])
@@ -67,16 +68,18 @@ class Task:
 
 
 def half_turn(axis: Array, angle: float | Array) -> Coordinates:
-    """Return the coordinates of cos(angle/2) + sin(angle/2)·u, u along ``axis`` (…, 3)."""
+    """Return the coordinates of cos(angle/2) + sin(angle/2)·u, where u is the direction of ``axis``
+    (…, 3).
+    """
     s = np.sin(angle / 2) / np.linalg.norm(axis, axis=-1)
     return np.cos(angle / 2), s * axis[..., 0], s * axis[..., 1], s * axis[..., 2]
 
 
 @dataclass(frozen=True)
 class Test:
-    """One test: its name, of which the first letter is its number in the thesis, and its input.
+    """One test: its name, whose first letter is its number in the thesis, and its input.
 
-    ``printed`` is the mean that the thesis measured, for 550 000 points and 300 frames. ``make`` takes the
+    ``printed`` is the mean measured in the thesis, for 550 000 points and 300 frames. ``make`` takes the
     number of points, or the points, and the number of frames.
     """
 

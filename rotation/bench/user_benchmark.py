@@ -38,14 +38,14 @@ from rotation.namespaces import refuse_rows
 
 @dataclass(frozen=True)
 class Benchmark:
-    """The results of `benchmark`; they print as a table."""
+    """The results of `benchmark`; it prints as a table."""
 
     results: Sequence[Result]
     settings: Settings
 
     @property
     def rows(self) -> list[dict[str, object]]:
-        """One dict for each test and implementation: the rows of a table.
+        """One dict for each test and implementation, as the rows of a table.
 
         Times are in milliseconds for a frame of all points: ``mean_ms``, ``median_ms`` and ``min_ms`` of
         the repeats in ``samples_ms``, and ``best_frame_ms``, the quickest frame. ``ratio_to_copy`` and
@@ -71,10 +71,10 @@ def benchmark(
     threads: int | None = None,
     seconds: float = 1.5,
 ) -> Benchmark:
-    """Time the user's functions beside hfield, scipy, other libraries and the thesis's (3.2).
+    """Time the user's functions together with hfield, scipy, other libraries and the thesis (3.2).
 
-    Before the timing each function is compared with the products of :mod:`hfield.core.product`. All ways are
-    timed in turns in the same run.
+    Before timing, the result of each function is compared with the products of :mod:`hfield.core.product`.
+    All implementations are timed alternately in the same run.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def benchmark(
 
 
 def chosen_tests(number: str | None) -> list[Test]:
-    """Return the tests of that number in the thesis, all where it is None. Raises RotationError."""
+    """Return the tests with that number in the thesis, or all if it is None. Raises RotationError."""
     tests = [test for test in TESTS if number in (None, test.name[0])]
     if not tests:
         raise RotationError(f'test {number!r}: the tests of the thesis are "1" and "2"')
@@ -161,10 +161,10 @@ def chosen_tests(number: str | None) -> list[Test]:
 def with_own(
     functions: Mapping[str, Function], tests: Sequence[Test], settings: Settings
 ) -> tuple[Way, ...]:
-    """Check the user's functions, and return all implementations, with these after the copy.
+    """Check the user's functions, and return all implementations, with the user's after the copy.
 
-    Raises :class:`OwnFunctionError` for a function that fails or is wrong, and RotationError for a name that
-    another way has, or a function that does none of the tests.
+    Raises :class:`OwnFunctionError` for a function that fails or is wrong, and RotationError for a name
+    already in use, or a function that fits no test.
     """
     taken = {way.name for way in WAYS}
     for name in functions:
@@ -182,7 +182,9 @@ def with_own(
 
 
 def _checked(name: str, function: Function, tests: Sequence[Test], settings: Settings) -> Way:
-    """Return a function as a way, tried on some points in all tests that it can do."""
+    """Return a function as an implementation, after trying it on a few points in all tests that it
+    supports.
+    """
     way = own_way(name, function)
     file, line = definition_of(function)
     for test in tests:

@@ -92,7 +92,7 @@ def run(args: Namespace) -> int:
     with open_output(args.output) as out, ExitStack() as stack:
         functions = {}
         if args.own is not None:
-            stack.enter_context(redirect_stdout(sys.stderr))  # what the functions print
+            stack.enter_context(redirect_stdout(sys.stderr))  # the output of the functions
             stack.enter_context(importing_from(Path(args.own).parent))
             functions = functions_of(Path(args.own))
         try:
@@ -117,7 +117,7 @@ def run(args: Namespace) -> int:
 
 
 def _one_thread_for_blas() -> None:
-    """Limit numpy's matrix products to one thread, since points are shared by ``--threads`` threads.
+    """Limit numpy's matrix products to one thread, because ``--threads`` threads share the points.
 
     The libraries read these variables when numpy is imported.
     """

@@ -125,7 +125,7 @@ def _turned(args: Namespace) -> Drawing:
 
 
 def _chosen(only: Sequence[str]) -> list[Drawing]:
-    """Return the drawings named, in their order; all where none is. Raises UsageError."""
+    """Return the named drawings in order, or all if no name is given. Raises UsageError."""
     from rotation.figures import FIGURES
 
     wanted = [word.strip() for text in only for word in text.split(",") if word.strip()]

@@ -1,7 +1,7 @@
-"""A drop-in replacement of scipy's rotations: its names, order of coordinates, item assignment, warnings.
+"""A drop-in replacement for scipy's rotations: same names, order of coordinates, item assignment, warnings.
 
-``from rotation.compat import Rotation`` in place of ``from scipy.spatial.transform import Rotation``; the
-arithmetic is ours. docs/how-to/coming-from-scipy.md lists what differs.
+Write ``from rotation.compat import Rotation`` instead of ``from scipy.spatial.transform import Rotation``.
+The arithmetic is that of this package. docs/how-to/coming-from-scipy.md lists the differences.
 """
 
 from rotation.compat.curves import RotationSpline, Slerp

@@ -1,6 +1,6 @@
-"""Return scipy's results where this package raises errors or has other results.
+"""Return scipy's results where this package raises errors or gives different results.
 
-This concerns matrices that are no rotations, means and best fits that are not unique, and the order of the
+This concerns matrices that are not rotations, means and best fits that are not unique, and the order of the
 elements of groups.
 """
 
@@ -40,7 +40,7 @@ def unchecked(m: Array) -> Array:
 
 
 def averaged(q: Array, weights: Array | None, axes: tuple[int, ...]) -> Array:
-    """Return the mean of quaternions, or where several are equally good scipy's."""
+    """Return the mean of quaternions; if several are equally good, the one that scipy returns."""
     try:
         return mean(q, weights, axes)
     except RotationError:
@@ -51,16 +51,16 @@ def averaged(q: Array, weights: Array | None, axes: tuple[int, ...]) -> Array:
 
 
 def group_elements(group: str, axis: str) -> Array:
-    """Return the quaternions of a group in scipy's order, with the identity after three half turns."""
+    """Return the quaternions of a group in scipy's order, where three half turns come before the identity."""
     q = groups.elements(group, axis)
     return q[[1, 2, 3, 0, *range(4, len(q))]] if group in groups.POLYHEDRAL else q
 
 
 def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
-    """Return which of (m, 4) and (n, 4) make ``l·p·r`` turn least: two index arrays, of the shape of p.
+    """Return the indices into (m, 4) and (n, 4) for which the angle of ``l·p·r`` is least, in the shape of p.
 
-    With two groups many are equally small. Rounding decides then, so this computes every scalar part with the
-    same sums in the same order as scipy.
+    With two groups, many angles are equally small, and rounding decides. So this function computes every
+    scalar part with the same sums in the same order as scipy.
     """
     flat = p.reshape(-1, 4)
     step = max(1, _BLOCK // (len(left) * len(right)))
@@ -74,7 +74,7 @@ def nearest(p: Array, left: Array, right: Array) -> tuple[Array, Array]:
 
 
 def _scalars(p: Array, left: Array, right: Array) -> Array:
-    """The scalar parts of ``l·p·r``, by the scalar and vector parts of the three."""
+    """Return the scalar parts of ``l·p·r`` from the scalar and vector parts of the three."""
     a, b, c = left[:, 0], p[:, 0], right[:, 0]
     u, v, w = left[:, 1:], p[:, 1:], right[:, 1:]
     found: Array = (
@@ -92,7 +92,7 @@ def aligned(
 ) -> tuple[Array, Array, Array | None]:
     """Solve Wahba's problem for one set of vectors, with scipy's error messages.
 
-    Return the quaternion, the root of the sum that remains, and the sensitivity if asked for.
+    Return the quaternion, the square root of the remaining sum, and the sensitivity if requested.
     """
     u, v = (checks.doubles(x, "vectors") for x in (a, b))
     for name, x in (("a", u), ("b", v)):
@@ -134,10 +134,10 @@ def aligned(
 
 
 def _best(u: Array, v: Array, w: Array) -> tuple[Array, Array]:
-    """The best rotation; if several are equally good, that of scipy, with a warning."""
+    """Return the best rotation; if several are equally good, the one that scipy returns, with a warning."""
     if len(w) == 1 or not all(np.isfinite(x).all() for x in (u, v, w)):
         return fitted(*checked(u, v, w))
-    # By powers of two near 1: nothing overflows, and scipy's threshold means the same.
+    # Scaling by powers of two to near 1 prevents overflow; scipy's threshold keeps its meaning.
     p, q, share = (np.ldexp(x, -np.frexp(np.abs(x).max())[1]) for x in (u, v, w[:, None]))
     left, values, right = np.linalg.svd(np.einsum("ji,jk->ik", share * p, q))
     if np.linalg.det(left @ right) < 0.0:

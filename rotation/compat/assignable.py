@@ -1,4 +1,4 @@
-"""Array methods that scipy's rotations and transforms share: lengths, and assignment to items."""
+"""Array methods shared by scipy's rotations and transforms: lengths, and item assignment."""
 
 from abc import abstractmethod
 from collections.abc import Iterator
@@ -13,21 +13,21 @@ class Assignable:
     __array_ufunc__ = None
 
     _axes: ClassVar[int]
-    _called: ClassVar[str]  # what one of them is, for errors
+    _called: ClassVar[str]  # the name of a single object, for error messages
 
     @property
     @abstractmethod
     def _array(self) -> Array:
-        """The array that holds them."""
+        """The array in which they are stored."""
 
     @classmethod
     @abstractmethod
     def _of(cls, array: Array) -> Self:
-        """Return what an array holds."""
+        """Return the object stored in an array."""
 
     @property
     def single(self) -> bool:
-        """Whether this is a single rotation or transform, and not an array."""
+        """Whether this is a single rotation or transform rather than an array."""
         return not self.shape
 
     @property
@@ -50,7 +50,7 @@ class Assignable:
 
     @abstractmethod
     def __getitem__(self, index: object) -> Self:
-        """Return some of them."""
+        """Return the elements at an index."""
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))

@@ -16,13 +16,15 @@ from rotation.rotation import Rotation
 
 
 def doubles(value: object, name: str) -> Array:
-    """Return an array of float64, with numpy's own errors, but of no masked array."""
+    """Return a float64 array, with numpy's own errors; masked arrays are rejected."""
     expect_unmasked(value, name)
     return np.asarray(value, dtype=np.float64)
 
 
 def quaternions(value: Any) -> Array | None:
-    """Return the quaternions, scalar first, of rotations of this package, ours or scipy's; else None."""
+    """Return the quaternions, scalar first, of rotations of this package, rotation.compat or scipy; else
+    None.
+    """
     found = hints.kind(value)
     if found is None or found.name != "Rotation":
         return None
@@ -35,7 +37,7 @@ def quaternions(value: Any) -> Array | None:
 
 
 def matrices(value: Any) -> Array | None:
-    """Return the matrices (…, 4, 4) of transforms of this package, ours or scipy's; else None."""
+    """Return the matrices (…, 4, 4) of transforms of this package, rotation.compat or scipy; else None."""
     found = hints.kind(value)
     if found is None or found.name != "RigidTransform":
         return None
@@ -48,7 +50,7 @@ def matrices(value: Any) -> Array | None:
 
 
 def motions(value: object) -> Array | None:
-    """Return the matrices of transforms, and of rotations as transforms that do not shift; else None."""
+    """Return the matrices of transforms, and of rotations as transforms without translation; else None."""
     q = quaternions(value)
     if q is None:
         return matrices(value)
@@ -90,7 +92,7 @@ def common(one: tuple[int, ...], other: tuple[int, ...], what: str = "Cannot bro
 
 
 def batch(num: int | None, shape: object) -> tuple[int, ...]:
-    """Return the batch shape that scipy's ``num`` or ``shape`` means."""
+    """Return the batch shape given by scipy's ``num`` or ``shape``."""
     if num is not None and shape is not None:
         raise RotationError("Only one of `num` or `shape` can be given.")
     if shape is None:
@@ -102,7 +104,7 @@ def batch(num: int | None, shape: object) -> tuple[int, ...]:
 
 
 def weighted(weights: ArrayLike | None, shape: tuple[int, ...]) -> Array | None:
-    """Return weights that broadcast to ``shape`` and are not negative."""
+    """Return weights that broadcast to ``shape``; they must be nonnegative."""
     if weights is None:
         return None
     w = doubles(weights, "weights")
@@ -133,7 +135,7 @@ def averaged(axis: Axes | None, ndim: int) -> tuple[int, ...]:
 
 
 def exponent(n: npt.ArrayLike, modulus: object) -> float:
-    """Return an exponent as a number, as scipy takes one."""
+    """Return an exponent as a number, as scipy accepts it."""
     if modulus is not None:
         raise NotImplementedError("modulus not supported")
     if np.ndim(n) and np.shape(n) != (1,):

@@ -15,7 +15,7 @@ FEW = "`rotations` must be a sequence of at least 2 rotations."
 
 
 def _keyframes(rotations: Rotation, words: str) -> Rotation:
-    """Return a list of at least two rotations; ``words`` are the error message for other values."""
+    """Return a sequence of at least two rotations; ``words`` is the error message for other values."""
     found = Rotation._of(checks.expected(checks.quaternions(rotations), rotations, words))
     if found.single or len(found) < 2:
         raise RotationError(FEW)
@@ -25,7 +25,7 @@ def _keyframes(rotations: Rotation, words: str) -> Rotation:
 
 
 class Slerp:
-    """The curve through keyframes that turns at constant rate between each two of them."""
+    """The curve through keyframes with constant angular velocity between consecutive keyframes."""
 
     @quiet
     def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
@@ -74,7 +74,9 @@ class RotationSpline:
     def __call__(self, times: ArrayLike, order: int) -> Rotation | Array: ...
     @quiet
     def __call__(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
-        """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
+        """Return rotations, angular velocities or accelerations at ``times``; outside, the end pieces are
+        extended.
+        """
         if order not in (0, 1, 2):
             raise RotationError("`order` must be 0, 1 or 2.")
         t = checks.doubles(times, "times")

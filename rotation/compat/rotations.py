@@ -33,7 +33,7 @@ class Rotation(Assignable):
     quat : array_like, shape (…, 4)
         (x, y, z, w), or (w, x, y, z) with ``scalar_first``.
     normalize, copy : bool
-        Without the first, unit quaternions are taken as they are.
+        Without ``normalize``, quaternions are assumed to be unit quaternions.
     """
 
     _axes, _called = 1, "rotation"
@@ -72,7 +72,9 @@ class Rotation(Assignable):
     @classmethod
     @quiet
     def from_matrix(cls, matrix: ArrayLike, *, assume_valid: bool = False) -> Self:
-        """Make rotations from matrices; other matrices are replaced by the nearest rotation."""
+        """Make rotations from matrices; a matrix that is not a rotation is replaced by the nearest
+        rotation.
+        """
         m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
         if assume_valid:
             return cls._of(answers.unchecked(m))
@@ -122,7 +124,7 @@ class Rotation(Assignable):
         shape: int | Sequence[int] | None = None,
         random_state: Seed | None = None,
     ) -> "Rotation":
-        """Return rotations distributed uniformly; ``random_state`` is the older name of ``rng``."""
+        """Return uniformly distributed rotations; ``random_state`` is the older name of ``rng``."""
         size = checks.batch(num, shape)
         rng = random_state if rng is None else rng
         legacy = (
@@ -168,7 +170,7 @@ class Rotation(Assignable):
     def as_euler(
         self, seq: str, degrees: bool = False, *, suppress_warnings: bool = False
     ) -> Array:
-        """Return Euler angles; in gimbal lock the third is 0, with a warning."""
+        """Return Euler angles; in gimbal lock the third angle is 0, with a warning."""
         axes, intrinsic = sequence(seq)
         if len(axes) != 3:
             raise RotationError(f"Expected 3 axes, got {seq}.")
@@ -183,7 +185,7 @@ class Rotation(Assignable):
     def as_davenport(
         self, axes: ArrayLike, order: str, degrees: bool = False, *, suppress_warnings: bool = False
     ) -> Array:
-        """Return the angles about three axes; in gimbal lock the third is 0, with a warning."""
+        """Return the angles about three axes; in gimbal lock the third angle is 0, with a warning."""
         unit = _davenport_axes(axes, order)
         angles, locked = davenport.to_davenport(self._q, unit, order, degrees, _LOCK)
         if np.any(locked) and not suppress_warnings:
@@ -232,7 +234,7 @@ class Rotation(Assignable):
     def approx_equal(
         self, other: "Rotation", atol: float | None = None, degrees: bool = False
     ) -> Array:
-        """Return where the angle from one rotation to the other is less than ``atol``."""
+        """Return whether the angle between the rotations is less than ``atol``, elementwise."""
         q = checks.expected(checks.quaternions(other), other, "other must be a Rotation")
         checks.common(self.shape, q.shape[:-1], "Expected broadcastable shapes")
         if atol is None:
@@ -283,7 +285,7 @@ class Rotation(Assignable):
         right: "Rotation | None" = None,
         return_indices: bool = False,
     ) -> Self | tuple[Self, Array | None, Array | None]:
-        """Return of all products ``l·p·r`` the one of the smallest angle."""
+        """Return the product of least angle among all products ``l·p·r``."""
         if left is None and right is None:
             reduced = self._of(self._q.copy())
             return (reduced, None, None) if return_indices else reduced
@@ -332,7 +334,7 @@ class Rotation(Assignable):
         weights: ArrayLike | None = None,
         return_sensitivity: bool = False,
     ) -> tuple[Self, Array] | tuple[Self, Array, Array | None]:
-        """Return the rotation that takes vectors b closest to vectors a."""
+        """Return the rotation that brings vectors b closest to vectors a."""
         q, rssd, sensitivity = answers.aligned(a, b, weights, return_sensitivity)
         return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)
 
@@ -368,7 +370,7 @@ class Rotation(Assignable):
 
 
 def _angles(angles: ArrayLike, number: int) -> Array:
-    """Return angles with the last axis of ``number``; about one axis also a number."""
+    """Return angles with a last axis of length ``number``; for one axis a single number is also accepted."""
     a = checks.doubles(angles, "angles")
     if number == 1 and a.ndim == 0:
         a = a[..., None]

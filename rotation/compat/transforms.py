@@ -1,4 +1,4 @@
-"""`RigidTransform` with the names, conventions and behaviour of scipy's: it stores matrices."""
+"""`RigidTransform` with the names, conventions and behaviour of scipy's; it stores matrices."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, Self
@@ -58,14 +58,14 @@ class RigidTransform(Assignable):
 
     @classmethod
     def from_rotation(cls, rotation: Rotation) -> Self:
-        """Make transforms that turn and do not shift."""
+        """Make transforms that rotate without translating."""
         words = "Expected `rotation` to be a `Rotation` instance"
         q = checks.expected(checks.quaternions(rotation), rotation, words)
         return cls._from_ours(rigid.RigidTransform.from_rotation(ours.Rotation._of(q.copy())))
 
     @classmethod
     def from_translation(cls, translation: ArrayLike) -> Self:
-        """Make transforms that shift and do not turn."""
+        """Make transforms that translate without rotating."""
         t = checks.numbers(translation, "translation", "(..., 3)", (3,))
         return cls._from_ours(rigid.RigidTransform.from_translation(t))
 
@@ -82,7 +82,7 @@ class RigidTransform(Assignable):
 
     @classmethod
     def from_dual_quat(cls, dual_quat: ArrayLike, *, scalar_first: bool = False) -> Self:
-        """Make transforms from dual quaternions; zero real parts are read as no rotation."""
+        """Make transforms from dual quaternions; a zero real part counts as the identity rotation."""
         d = checks.numbers(dual_quat, "dual_quat", "(..., 8)", (8,)).copy()
         nothing = ~d[..., :4].any(axis=-1)
         d[..., 0 if scalar_first else 3][nothing] = 1.0

@@ -1,1 +1,1 @@
-"""Rotations and rigid motions in time: between two, through keyframes, from angular velocities."""
+"""Rotations and rigid motions in time: interpolation, curves through keyframes, angular velocities."""

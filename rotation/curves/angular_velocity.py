@@ -1,8 +1,8 @@
 """Rotations in time: attitudes from an angular velocity, and the angular velocity of attitudes.
 
-The attitude obeys ``q̇ = ½·ω·q`` with ω in the axes of the world, ``q̇ = ½·q·ω`` in those of the body
-(thesis, Theorem 6, differentiated). Each interval is one exponential: order 4, exact for a constant ω, and
-norm 1 by construction.
+The attitude satisfies ``q̇ = ½·ω·q`` with ω in world axes, or ``q̇ = ½·q·ω`` with ω in body axes (the
+derivative of Theorem 6 of the thesis). Each interval is one exponential: the method has order 4, is exact for
+constant ω, and preserves the norm by construction.
 """
 
 import math
@@ -29,39 +29,38 @@ def integrate(
     frame: str = "body",
     tolerance: float | None = None,
 ) -> Rotation:
-    """Return the attitudes at ``times`` of a body that turns with angular velocity ``omega``.
+    """Return the attitudes at ``times`` of a body that rotates with angular velocity ``omega``.
 
     Parameters
     ----------
     omega : array_like or callable
-        Radians per unit of time: a constant vector (3,); samples (n, …, 3) at ``times``, between
-        which a cubic is laid; or a function of one time that returns (…, 3), called at two inner
-        points of each interval.
+        Radians per unit of time: a constant vector (3,); samples (n, …, 3) at ``times``, interpolated by
+        cubics; or a function of one time that returns (…, 3), which is called at two inner points of each
+        interval.
     times : array_like, shape (n,)
-        Of any one array library, as all arguments. Strictly monotonic, in finite steps; the first belongs to
-        ``initial``.
+        Strictly monotonic, with finite steps; the first time belongs to ``initial``. All arguments must use
+        the same array library.
     initial : Rotation, optional
         The attitude at ``times[0]``; by default the identity.
     frame : "body" or "world"
-        The axes in which omega is given: those that turn along, or those that stay.
+        The axes in which omega is given: those of the body, which rotate with it, or the fixed ones.
 
     tolerance : float, optional
-        For a function omega: the intervals are divided, where two rules disagree, until the sum of their
-        differences says that the error is below this angle, in radians, at all times. Jumps of omega are
-        found. A pulse that is shorter than the distance of all points at which omega was asked is not: give
-        a time at it.
+        For a function omega: intervals are divided where two rules disagree, until the sum of their
+        differences bounds the error by this angle, in radians, at all times. Jumps of omega are found. A
+        pulse between two evaluation points is not found; include a time at which it occurs.
 
     Returns
     -------
     Rotation, shape (n, …)
-        They turn vectors given in the axes of the body to those of the world. The error is of fourth
-        order in the step; for a constant omega there is none but rounding.
+        Rotations that map vectors in body axes to world axes. The error is of fourth order in the step; for a
+        constant omega it is only rounding.
 
     Raises
     ------
     RotationError
-        Times that are not monotonic, samples that do not fit them, or another frame; a tolerance that is
-        not positive, not asked of a function, or not reached with 16384 steps for each interval.
+        Times that are not monotonic, samples that do not fit them, or another frame; a tolerance that is not
+        positive, given without a function, or not reached with 16384 steps for each interval.
     ForeignArrayError
         Arrays of two libraries.
 
@@ -103,16 +102,17 @@ _WINDOW = 5  # samples, whose polynomial is of the fourth degree
 
 @quiet
 def angular_velocity(rotations: Rotation, times: ArrayLike, frame: str = "body") -> Array:
-    """Return the angular velocities of a body whose attitudes at ``times`` are known.
+    """Return the angular velocities of a body with known attitudes at ``times``.
 
-    At each time it is the derivative of the polynomial through the rotation vectors to five near samples
-    (fewer if there are fewer): exact for a constant velocity, else of fourth order in the steps.
+    At each time the result is the derivative of the polynomial through the rotation vectors to five
+    neighbouring samples (fewer if there are fewer). It is exact for a constant velocity, and of fourth order
+    in the steps otherwise.
 
     Parameters
     ----------
     rotations : Rotation, shape (n, …)
-        At least two; they take the axes of the body to those of the world, as those of `integrate`. From each
-        to the four nearest it turns by less than π: more is not seen.
+        At least two rotations that map body axes to world axes, as in `integrate`. The rotation from each
+        sample to the four nearest must be less than π; larger turns cannot be detected.
     times : array_like, shape (n,)
         Strictly monotonic.
     frame : "body" or "world"
@@ -161,7 +161,7 @@ def angular_velocity(rotations: Rotation, times: ArrayLike, frame: str = "body")
 
 
 def _expect_monotonic(t: Array) -> None:
-    """Raise `RotationError` unless times are a list that strictly increases or decreases."""
+    """Raise `RotationError` unless the times strictly increase or strictly decrease."""
     xp = namespace(t)
     steps = _steps(t) if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
     monotonic = xp.all(steps > 0.0) | xp.all(steps < 0.0)
@@ -178,7 +178,7 @@ def _steps(times: Array) -> Array:
 
 
 def _values(omega: ArrayLike | Callable[[float], ArrayLike], times: Array, at: Array) -> Array:
-    """The angular velocities at one point of each interval, (n − 1, …, 3)."""
+    """Return the angular velocities at one point of each interval, (n − 1, …, 3)."""
     xp = namespace(times)
     if callable(omega):
         found = [omega(float(x) if is_numpy(xp) else x) for x in at]
@@ -205,7 +205,9 @@ def _values(omega: ArrayLike | Callable[[float], ArrayLike], times: Array, at: A
 
 @quiet
 def _interpolated(samples: Array, times: Array, at: Array) -> Array:
-    """Values between samples by the polynomial through the nearest four (fewer if there are fewer)."""
+    """Return values between samples, by the polynomial through the nearest four (fewer if there are
+    fewer).
+    """
     xp = namespace(samples, times)
     intervals, number = at.shape[0], min(4, times.shape[0])
     start = xp.clip(xp.arange(intervals) - 1, 0, times.shape[0] - number)

@@ -17,25 +17,25 @@ from rotation.rotation import Rotation
 
 M = TypeVar("M", Rotation, RigidTransform)
 
-# Of the weights of the three steps, by the fraction u of an interval: 1, u, u², u³, times 6.
+# Weights of the three steps, by the fraction u of an interval: 1, u, u², u³, times 6.
 _WEIGHTS = ((5.0, 3.0, -3.0, 1.0), (1.0, 3.0, 3.0, -2.0), (0.0, 0.0, 0.0, 1.0))
 
 
 @pytrees.register_pytree("control", "start", "step", "_steps")
 class BSpline(Generic[M]):
-    """The cubic curve near control rotations or rigid motions at even times: two continuous derivatives.
+    """The cubic curve near control rotations or rigid motions at equidistant times, twice differentiable.
 
-    The curve follows its control points without going through them, lies near any four neighbours, and does
-    not know the world's axes: moved control points make a moved curve. A control point moves four intervals
-    only.
+    The curve follows its control points without passing through them, and lies near any four consecutive
+    ones. It is independent of the world's axes: moving all control points moves the curve. A control point
+    affects only four intervals.
 
     Parameters
     ----------
     control : Rotation or RigidTransform, shape (n,)
         At least four, each less than half a turn from the next.
     start, step : float
-        The curve is defined from ``start`` to ``start + (n − 3)·step``; control point k weighs most at the
-        time ``start + (k − 1)·step``.
+        The curve is defined from ``start`` to ``start + (n − 3)·step``; control point k has its largest
+        weight at the time ``start + (k − 1)·step``.
 
     Raises
     ------
@@ -78,10 +78,11 @@ class BSpline(Generic[M]):
     def __call__(self, times: ArrayLike, order: int) -> M | Array: ...
     @quiet
     def __call__(self, times: ArrayLike, order: int = 0) -> M | Array:
-        """Return the motions at times (…), or velocities (order 1) or accelerations (2) in the body's axes.
+        """Return the motions at times (…), or with order 1 or 2 velocities or accelerations in body axes.
 
-        Velocities (…, 3) are angular; of rigid motions (…, 6) they are twists, the angular velocity first,
-        then that of the origin of the body, in the axes of the body. Accelerations are their derivatives.
+        For rotations, velocities (…, 3) are angular velocities. For rigid motions, velocities (…, 6) are
+        twists in body axes: the angular velocity, then the velocity of the body's origin. Accelerations are
+        their derivatives.
 
         Raises
         ------

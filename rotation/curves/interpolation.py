@@ -1,7 +1,7 @@
 """Interpolate between rotations: slerp and squad, pointwise and through keyframes.
 
-K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Quaternion calculus and
-fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion never matters.
+K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Quaternion calculus and fast
+animation", 1987. Slerp takes the shorter path, so the signs of quaternions do not matter.
 """
 
 import math
@@ -17,16 +17,16 @@ from rotation.rotation import Rotation
 
 
 def slerp(p: Rotation, q: Rotation, t: ArrayLike) -> Rotation:
-    """Return the rotation at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1) at constant rate.
+    """Return the rotation at ``t`` on the path from ``p`` (t = 0) to ``q`` (t = 1) with constant velocity.
 
     Parameters
     ----------
     p, q : Rotation
-        Between a rotation and itself nothing moves, with whatever signs of the quaternions: that is p. Where
-        they are half a turn apart two ways are equally short; taken is the turn from ``p`` about
-        the axis, as p has turned it, whose first nonzero coordinate is positive.
+        If p and q are the same rotation, the result is p, whatever the signs of the quaternions. If they
+        differ by a half turn, two paths are equally short. The one used rotates from ``p`` about the body
+        axis whose first nonzero coordinate is positive.
     t : float or array
-        Values outside [0, 1] go on beyond. The shapes of p, q and t broadcast.
+        Values outside [0, 1] extrapolate. The shapes of p, q and t broadcast.
 
     Examples
     --------
@@ -46,10 +46,10 @@ def slerp(p: Rotation, q: Rotation, t: ArrayLike) -> Rotation:
 
 @quiet
 def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: ArrayLike) -> Rotation:
-    """Return the point at ``t`` of the spherical cubic from ``p`` to ``q`` with inner points a, b.
+    """Return the point at ``t`` of the spherical cubic from ``p`` to ``q`` with inner points a and b.
 
-    ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
-    b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
+    The formula is ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``. The curve leaves p towards a and
+    arrives at q from b. `Squad` finds the inner points of a smooth curve through keyframes. Shapes broadcast.
 
     Examples
     --------
@@ -70,17 +70,19 @@ def _parameter(t: ArrayLike, *rotations: Rotation) -> Array | float:
 
 
 def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Array | float) -> Rotation:
-    """The spherical cubic of the given quaternions, without changes of sign."""
+    """Return the spherical cubic of the given quaternions, without sign changes."""
     return _direct(_direct(p, q, t), _direct(a, b, t), 2.0 * t * (1.0 - t))
 
 
 def _direct(p: Rotation, q: Rotation, t: Array | float) -> Rotation:
-    """Slerp of the quaternions themselves, which turns by more than π where their product is negative."""
+    """Return the slerp of the quaternions themselves, which turns by more than π if their dot product is
+    negative.
+    """
     return p * Rotation._of(quaternions.direct_power((p.inv() * q)._q, t))
 
 
 def _nearer(q: Rotation, p: Rotation) -> Rotation:
-    """The rotations q, by whichever of the quaternions q and −q is nearer to p."""
+    """Return the rotations q, with the sign of each quaternion chosen to be nearer to p."""
     xp = namespace(p._q, q._q)
     far = xp.sum(p._q * q._q, axis=-1, keepdims=True) < 0.0
     return Rotation._of(xp.where(far, -q._q, q._q))
@@ -88,12 +90,12 @@ def _nearer(q: Rotation, p: Rotation) -> Rotation:
 
 @pytrees.register_pytree("times", "rotations")
 class Slerp:
-    """The curve through keyframes that turns at constant rate between each two of them.
+    """The curve through keyframes with constant angular velocity between consecutive keyframes.
 
     Parameters
     ----------
     times : array_like, shape (n,)
-        Strictly increasing; of numpy, or of the library of the rotations.
+        Strictly increasing; numpy arrays, or arrays of the rotations' library.
     rotations : Rotation, shape (n, …)
         At least two keyframes along the first axis.
 
@@ -115,12 +117,12 @@ class Slerp:
         self.rotations = rotations
 
     def __call__(self, times: ArrayLike) -> Rotation:
-        """Return the rotations at ``times`` (…), within the range of the keyframes; NaN gives NaN.
+        """Return the rotations at ``times`` (…), which must lie in the range of the keyframes; NaN gives NaN.
 
         Raises
         ------
         RotationError
-            A time lies outside.
+            A time is outside the range of the curve.
         """
         x = self._within(times)
         n, t = place(x, self.times)
@@ -129,7 +131,9 @@ class Slerp:
         )
 
     def _within(self, times: ArrayLike) -> Array:
-        """Return times (…) as an array; `RotationError` if one is outside the range of the keyframes."""
+        """Return times (…) as an array; raise `RotationError` if one is outside the range of the
+        keyframes.
+        """
         xp = namespace(times, self.times)
         x = floats(times, "times", xp)
         first, last = self.times[0], self.times[-1]
@@ -144,14 +148,16 @@ class Slerp:
 
 
 def place(x: Array, times: Array) -> tuple[Array, Array]:
-    """Return the number of the interval of ``times`` (n,) that contains x (…), and where in it, 0 to 1."""
+    """Return the index of the interval of ``times`` (n,) that contains x (…), and the position in it, from 0
+    to 1.
+    """
     n = interval(x, times)
     start = taken(times, n)
     return n, (x - start) / (taken(times, n + 1) - start)
 
 
 def interval(x: Array, times: Array) -> Array:
-    """Return the number of the interval of ``times`` (n,) that contains x (…), or of the nearest one."""
+    """Return the index of the interval of ``times`` (n,) that contains x (…), or of the nearest one."""
     xp = namespace(x, times)
     after = xp.searchsorted(times, xp.reshape(x, (-1,)), side="right")
     return xp.reshape(xp.clip(after - 1, 0, times.shape[0] - 2), x.shape)
@@ -159,34 +165,33 @@ def interval(x: Array, times: Array) -> Array:
 
 @quiet
 def ratios(times: Array) -> Array:
-    """Return how long each interval but the last is, in lengths of the next; within the range of floats."""
+    """Return the ratio of each interval's length to that of the next, limited to the range of floats."""
     xp, h = namespace(times), times[1:] - times[:-1]
     least = float(xp.finfo(h.dtype).smallest_normal)
     return xp.clip(h[:-1] / h[1:], least, 1.0 / least)
 
 
 def taken(array: Array, n: Array) -> Array:
-    """Return ``array[n]``: the rows, along the first axis, with the whole numbers n of any shape."""
+    """Return ``array[n]``: rows along the first axis, for integers n of any shape."""
     xp = namespace(array)
     rows = xp.take(array, xp.reshape(n, (-1,)), axis=0)
     return xp.reshape(rows, (*n.shape, *rows.shape[1:]))
 
 
 def picked(rotations: Rotation, n: Array) -> Rotation:
-    """Return ``rotations[n]`` for whole numbers n of any shape, in any array library."""
+    """Return ``rotations[n]`` for integers n of any shape, in any array library."""
     return Rotation._of(taken(rotations._q, n))
 
 
 @pytrees.register_pytree("times", "rotations", "_after", "_before")
 class Squad(Slerp):
-    """The curve through keyframes whose angular velocity is continuous: spherical cubics, joined.
+    """The curve through keyframes with continuous angular velocity, made of spherical cubics.
 
-    The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
-    the length of the other interval: that of the parabola through three keyframes. Where intervals are so
-    uneven that a spherical cubic cannot have it, the weights are the nearest with which one can; see
-    docs/reference/rotation.md. At the ends it is that of the only neighbour. With two keyframes it is a
-    slerp.
-    Parameters and errors as in `Slerp`.
+    The velocity at a keyframe is the mean of the velocities of the two neighbouring slerps, each weighted by
+    the length of the other interval, as for the parabola through three keyframes. If the intervals are so
+    uneven that no spherical cubic has this velocity, the nearest possible weights are used; see
+    docs/reference/rotation.md. At the ends it is the velocity of the only neighbouring slerp. With two
+    keyframes the curve is a slerp. Parameters and errors are those of `Slerp`.
 
     Examples
     --------
@@ -201,8 +206,8 @@ class Squad(Slerp):
         keys = self.rotations = _continuous(rotations, steps)
         turns = vectors.to_rotvec(steps)
         late, early = _ends(self.times, turns, quaternions.angle(steps))
-        # At t = 0 a squad turns by log(p⁻¹q) + 2·log(p⁻¹a) per unit of t, at t = 1 by
-        # log(p⁻¹q) − 2·log(q⁻¹b); solved for the inner points a and b.
+        # At t = 0 a squad rotates by log(p⁻¹q) + 2·log(p⁻¹a) per unit of t, at t = 1 by log(p⁻¹q) −
+        # 2·log(q⁻¹b); solved for the inner points a and b.
         self._after = keys[:-1] * _turn((early - turns) / 2.0)
         self._before = keys[1:] * _turn((turns - late) / 2.0)
 
@@ -212,7 +217,7 @@ class Squad(Slerp):
 
 
 def _continuous(rotations: Rotation, steps: Array) -> Rotation:
-    """The same rotations, with signs such that each step (…, 4) is the shorter one."""
+    """Return the same rotations, with signs chosen such that each step (…, 4) is the shorter one."""
     q, xp = rotations._q, namespace(rotations._q)
     flips = xp.any(quaternions.canonical(steps) != steps, axis=-1)
     odd = xp.cumulative_sum(xp.astype(flips, xp.int64), axis=0) % 2 == 1
@@ -222,11 +227,12 @@ def _continuous(rotations: Rotation, steps: Array) -> Rotation:
 
 @quiet
 def _ends(times: Array, turns: Array, sizes: Array) -> tuple[Array, Array]:
-    """The rotation vectors of the velocities at the ends and at the starts of intervals (n − 1, …, 3).
+    """Return the velocities at the ends and starts of intervals (n − 1, …, 3), as rotation vectors.
 
-    Where intervals h₀ and h₁ with turns p and s meet the velocity is ``x·p/h₀ + y·s/h₁``, x + y = 1. That
-    of a parabola has x : y = h₁ : h₀. No logarithm goes round as long as ``x·(|s| + |p|·h₁/h₀) ≤ 2π − |s|``
-    and ``y·(|p| + |s|·h₀/h₁) ≤ 2π − |p|``: x : y = h₀ : h₁ is so, and taken is the nearest to the first.
+    Where intervals h₀ and h₁ with turns p and s meet, the velocity is ``x·p/h₀ + y·s/h₁`` with x + y = 1. A
+    parabola has x : y = h₁ : h₀. No logarithm wraps around as long as ``x·(|s| + |p|·h₁/h₀) ≤ 2π − |s|`` and
+    ``y·(|p| + |s|·h₀/h₁) ≤ 2π − |p|``. The ratio x : y = h₀ : h₁ satisfies this; the ratio used is the
+    admissible one nearest to that of the parabola.
     """
     xp = namespace(times, turns)
     r = xp.reshape(ratios(times), (-1, *(1,) * (turns.ndim - 1)))

@@ -1,7 +1,7 @@
-"""Integrate an angular velocity over an interval by Magnus's series, of order 4.
+"""Integrate an angular velocity over an interval by the Magnus series, to order 4.
 
-There are two quadrature rules, Gauss–Legendre and Simpson, so that their difference estimates the error.
-A. Iserles, H. Z. Munthe-Kaas, S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).
+There are two quadrature rules, Gauss–Legendre and Simpson, whose difference estimates the error. A. Iserles,
+H. Z. Munthe-Kaas, S. P. Nørsett and A. Zanna, "Lie-group methods", Acta Numerica 9 (2000).
 """
 
 import math
@@ -16,12 +16,13 @@ from rotation.namespaces import namespace, quiet
 from rotation.vectors import cross
 
 GAUSS = (0.5 - math.sqrt(3.0) / 6.0, 0.5 + math.sqrt(3.0) / 6.0)
-# Simpson's ends are moved into the interval, by this part of it: a jump there belongs to no interval.
+# Simpson's end points are moved into the interval by this fraction of it, because a jump at an end
+# belongs to no interval.
 _NEAR = 2.0**-30
 _SIMPSON = (_NEAR, 0.5, 1.0 - _NEAR)
 _AT_LEAST, _AT_MOST = 16, 16_384  # pieces of all intervals; of each, taken together
-# Where the velocity jumps the first rule is wrong by no more than 1.27 times the difference from the other,
-# wherever the jump; where it is smooth by 0.4 times.
+# If the velocity jumps, the error of the first rule is at most 1.27 times its difference from the
+# second, wherever the jump is; if it is smooth, at most 0.4 times.
 _SAFELY = 1.5
 
 Values = Callable[[Array], Array]  # from times (n,) to angular velocities (n, …, 3)
@@ -29,7 +30,9 @@ Values = Callable[[Array], Array]  # from times (n,) to angular velocities (n, �
 
 @quiet
 def by_gauss(first: Array, second: Array, steps: Array, frame: str) -> Array:
-    """Return rotation vectors (n, …, 3) of intervals (n,) with the angular velocities at Gauss's points."""
+    """Return rotation vectors (n, …, 3) of intervals (n,), given the angular velocities at the
+    Gauss points.
+    """
     h = _column(steps, first)
     first, second = h * first, h * second  # turns, which may be squared
     bend = (math.sqrt(3.0) / 12.0) * _crossed(first, second - first)
@@ -45,7 +48,7 @@ def _by_simpson(start: Array, middle: Array, end: Array, steps: Array, frame: st
 
 
 def _sign(frame: str) -> float:
-    """In the body's axes the order of all products is reversed, and so is the commutator's sign."""
+    """Return the sign of the commutator: in body axes the order of all products is reversed."""
     return 1.0 if frame == "body" else -1.0
 
 
@@ -58,15 +61,15 @@ def _crossed(a: Array, b: Array) -> Array:
 
 
 def refined(values: Values, times: Array, frame: str, tolerance: float) -> tuple[Array, list[int]]:
-    """Return refined times, and the indices of the given ones, so that errors stay small.
+    """Return refined times such that the error is small, and the indices of the given times.
 
-    A piece of an interval is halved where the two rules disagree, until the sum of all differences, which
-    bounds the error, is below the tolerance.
+    A piece of an interval is halved if the two rules disagree, until the sum of all differences, which bounds
+    the error, is below the tolerance.
 
     Raises
     ------
     RotationError
-        That takes too many pieces, or such as time has no numbers for.
+        Too many pieces are needed, or pieces shorter than floats can represent.
     """
     xp = namespace(times)
     number = times.shape[0] - 1
@@ -99,7 +102,7 @@ def refined(values: Values, times: Array, frame: str, tolerance: float) -> tuple
 def _differences(
     values: Values, times: Array, frame: str, row: Array, start: Array, share: Array
 ) -> Array:
-    """Return by how much the two rules differ on pieces of intervals, at most, as numpy's floats."""
+    """Return the maximal difference of the two rules on pieces of intervals, as numpy floats."""
     xp = namespace(times)
     points = [_at(times, row, start + share * node) for node in (*GAUSS, *_SIMPSON)]
     found = values(xp.concat(points))
@@ -117,7 +120,7 @@ def _differences(
 
 
 def _at(times: Array, row: Array, share: Array) -> Array:
-    """The times at a fraction of the intervals; 0 is their beginning."""
+    """Return the times at a fraction of the intervals; 0 is their start."""
     xp = namespace(times)
     begin, end = (xp.take(times, xp.asarray(n.tolist())) for n in (row, row + 1))
     found: Array = begin + (end - begin) * xp.asarray(share.tolist(), dtype=times.dtype)

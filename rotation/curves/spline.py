@@ -1,12 +1,12 @@
-"""A curve through keyframes whose angular velocity and acceleration are continuous.
+"""A curve through keyframes with continuous angular velocity and acceleration.
 
-Between two keyframes the rotation vector from the first of them is a cubic of time. The rates at keyframes
-are those for which the acceleration has no jump; at the ends they are the mean rates of the intervals there.
-The curve is the one of scipy's `RotationSpline`.
+Between two keyframes the rotation vector from the first of them is a cubic in time. The rates at keyframes
+are determined by a continuous acceleration; at the ends they are the mean rates of the end intervals. The
+curve is that of scipy's `RotationSpline`.
 
-All computations are in rates times the length of an interval, so the unit of time does not matter. The jumps
-are linear in the rates, except for one quadratic term at each keyframe. Newton's method makes them 0,
-starting from the solution without this term. If it does not converge, the term is introduced in small steps.
+All computations use rates times the length of an interval, so the unit of time does not matter. The jumps are
+linear in the rates, except for one quadratic term at each keyframe. Newton's method makes them 0, starting
+from the solution without this term. If it does not converge, the term is introduced in small steps.
 """
 
 import math
@@ -35,14 +35,14 @@ _LEAST = 2.0**-7  # of the quadratic term that is let in at once
 
 @pytrees.register_pytree("times", "rotations", "_keys", "_pieces")
 class RotationSpline:
-    """The smooth curve through keyframes: two continuous derivatives.
+    """The smooth curve through keyframes, twice continuously differentiable.
 
     Parameters
     ----------
     times : array_like, shape (n,)
         Strictly increasing.
     rotations : Rotation, shape (n,)
-        At least two keyframes; from each to the next it goes the shorter way.
+        At least two keyframes; the curve takes the shorter path between consecutive ones.
 
     Raises
     ------
@@ -62,9 +62,10 @@ class RotationSpline:
             raise RotationError("a spline goes through a list of rotations, of shape (n,)")
         self._keys = Slerp(times, rotations)
         self.times, self.rotations = self._keys.times, self._keys.rotations
-        # In the axes of the body: R(t) = R[k]·exp(θ(t)), the rate of which is ω = J(−θ)·θ̇.
+        # In body axes: R(t) = R[k]·exp(θ(t)), whose angular velocity is ω = J(−θ)·θ̇.
         steps = (self.rotations[:-1].inv() * self.rotations[1:]).as_rotvec()
-        # Of each interval: what it turns, θ' at both ends by its fraction, when it begins, how long it is.
+        # For each interval: its rotation, θ' at both ends with respect to the fraction of the
+        # interval, its start and its length.
         t = self.times[:, None]
         parts = (steps, *self._solved(steps), t[:-1, ...], t[1:, ...] - t[:-1, ...])
         self._pieces = namespace(steps).concat(parts, axis=-1)
@@ -76,7 +77,7 @@ class RotationSpline:
     @overload
     def __call__(self, times: ArrayLike, order: int) -> Rotation | Array: ...
     def __call__(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
-        """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in the axes of the body.
+        """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in body axes.
 
         Raises
         ------
@@ -87,7 +88,7 @@ class RotationSpline:
 
     @quiet
     def extended(self, times: ArrayLike, order: int = 0) -> Rotation | Array:
-        """Return the same; before the first and after the last keyframe their cubics go on."""
+        """Return the same; before the first and after the last keyframe the cubics are extended."""
         if order not in (0, 1, 2):
             raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")
         x = floats(times, "times", namespace(times, self.times))
@@ -97,7 +98,9 @@ class RotationSpline:
 
     @quiet
     def _solved(self, d: Array) -> tuple[Array, Array]:
-        """Return θ' (n − 1, 3) at the starts of all intervals and at their ends, by the fraction of each."""
+        """Return θ' (n − 1, 3) at the starts of all intervals and at their ends, per fraction of the
+        interval.
+        """
         xp = namespace(d)
         if not bool(xp.all(xp.isfinite(d))):
             return d * xp.nan, d * xp.nan
@@ -129,10 +132,10 @@ class RotationSpline:
 
 
 class _Jumps:
-    """The jumps of the acceleration, and the turns at the inner keyframes for which there are none.
+    """The jumps of the acceleration, and the turns at the inner keyframes for which there are no jumps.
 
-    The turns (n − 2, 3) are rates times ``h₀·h₁/(h₀ + h₁)``, of the intervals before and after; ``late`` and
-    ``early`` times as much are rates times h₀ and h₁.
+    The turns (n − 2, 3) are rates times ``h₀·h₁/(h₀ + h₁)``, for the intervals before and after; multiplying
+    by ``late`` and ``early`` gives rates times h₀ and h₁.
     """
 
     def __init__(self, steps: Array, r: Array) -> None:
@@ -141,20 +144,23 @@ class _Jumps:
         self._onto, self._into = left_jacobian(-steps), inverse_left_jacobian(-steps)
 
     def ends(self, turns: Array) -> tuple[Array, Array]:
-        """Return θ' at the starts of all intervals and at their ends, by the fraction of each."""
+        """Return θ' at the starts of all intervals and at their ends, per fraction of the interval."""
         d, concat = self._steps, namespace(turns).concat
         back = INVERSE_JACOBIAN_TIMES(-d[:-1, ...], self._late * turns)
         return concat([d[:1, ...], self._early * turns]), concat([back, d[-1:, ...]])
 
     def removed(self, turns: Array, share: float) -> Array | None:
-        """Return turns that make no jumps if a share of the quadratic term counts; None if none are found."""
+        """Return turns without jumps, with the quadratic term multiplied by ``share``; None if
+        Newton fails.
+        """
         xp = namespace(turns)
         eps, before = float(xp.finfo(turns.dtype).eps), math.inf
         for _ in range(_STEPS):
             change = self._newton(turns, share)
             turns = turns + change
             now, size = (float(xp.max(xp.abs(x))) if x.shape[0] else 0.0 for x in (change, turns))
-            # Steps shrink quadratically: this is the size of the next one, once there are two.
+            # The steps decrease quadratically: from the second on, this is the size of the next
+            # one.
             later = now * (now / before) ** 2 if now < 2.0**-6 * before < math.inf else now
             if not share or later <= 45.0 * eps * size:
                 return turns
@@ -174,7 +180,7 @@ class _Jumps:
         before = (2.0 * JACOBIAN_TIMES(-d, starts[:-1, ...]) - 6.0 * d) / late / late
         after = (2.0 * ends[1:, ...] - 6.0 * d_next) / early / early
         jumps = before + after + 4.0 * turns + share * _CHANGE(d, rate)
-        # Of a quadratic term this difference is the derivative; by the columns of the matrix.
+        # For a quadratic term this difference is the derivative; by columns of the matrix.
         columns = xp.matrix_transpose(into)
         d, rate = d[:, None, :], rate[:, None, :]
         bend = 0.5 * (_CHANGE(d, rate + columns) - _CHANGE(d, rate - columns))
@@ -185,10 +191,11 @@ class _Jumps:
 
 
 def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array:
-    """Solve ``before[k−1]·x[k−1] + own[k]·x[k] + after[k]·x[k+1] = right[k]``, of matrices (3, 3).
+    """Solve ``before[k−1]·x[k−1] + own[k]·x[k] + after[k]·x[k+1] = right[k]`` for (3, 3) matrices.
 
-    Few at once; of many every other unknown is put into the equations beside it: block cyclic reduction
-    (G. Golub and C. Van Loan, "Matrix computations", 4.5.4), in as many steps as their number has digits.
+    A small system is solved at once. In a large one every other unknown is substituted in the neighbouring
+    equations (block cyclic reduction; G. Golub and C. Van Loan, "Matrix computations", 4.5.4), in about log₂
+    n steps.
     """
     xp, n = namespace(right), right.shape[0]
     if n == 0:
@@ -220,7 +227,7 @@ def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array
 
 
 def _placed(xp: Namespace, n: int, k: int, blocks: Array) -> Array:
-    """Return the matrix (n, 3, n, 3) that has blocks along the diagonal k above the main one."""
+    """Return the matrix (n, 3, n, 3) with blocks on the k-th diagonal above the main one."""
     ones = xp.eye(blocks.shape[0], n, k=max(k, 0), dtype=blocks.dtype)
     rows = blocks[:, :, None, :] * ones[:, None, :, None]
     nothing = xp.zeros_like(rows[:1, ...])
@@ -228,7 +235,7 @@ def _placed(xp: Namespace, n: int, k: int, blocks: Array) -> Array:
 
 
 def _cubic(piece: Array, time: Array, order: int) -> Array:
-    """θ at a time in an interval, or with its first and second derivatives the rate or the acceleration."""
+    """Return θ at a time in an interval, or with its derivatives the rate or the acceleration."""
     xp, c = namespace(piece), split(piece)
     d, start, end, (begin, h) = c[:3], c[3:6], c[6:9], c[9:]
     s = (time[...] - begin) / h
@@ -254,7 +261,7 @@ def _change(theta: Array, rate: Array) -> Array:
 
 
 def _changed(xp: Namespace, u: Coordinates, v: Coordinates) -> Coordinates:
-    """The derivative of ``J(−θ)·θ̇`` along θ̇, θ̇ fixed, by its series or in closed form."""
+    """Return the derivative of ``J(−θ)·θ̇`` along θ̇, with θ̇ constant, by its series or in closed form."""
     t = sum_of_squares(u)
     wide = t > 0.25
     far = xp.where(wide, t, xp.ones_like(t))
@@ -273,7 +280,7 @@ def _changed(xp: Namespace, u: Coordinates, v: Coordinates) -> Coordinates:
 
 
 def _series(first: int, derivative: bool) -> list[float]:
-    """Coefficients of A (first = 2) or B (3) by θ², or of twice their derivatives."""
+    """Return the coefficients of A (first = 2) or B (3) in powers of θ², or of twice their derivatives."""
     values = [(-1.0) ** k / factorial(2 * k + first) for k in range(12)]
     return [2.0 * (k + 1) * v for k, v in enumerate(values[1:])] if derivative else values
 

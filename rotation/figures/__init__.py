@@ -1,8 +1,8 @@
 """The thesis's figures 2.1 to 2.5 as plots; ``hfield figures -o DIR`` writes them.
 
-The thesis's text has their captions but not the pictures, so they are reconstructed from what the
-text around them says. ``FIGURES`` maps the number of a figure to its :class:`Drawing`;
-:func:`rotation.figures.saving.save` writes any such mapping, also one of another package.
+The thesis's text has the captions but not the pictures, so the figures are reconstructed from the surrounding
+text. ``FIGURES`` maps the number of a figure to its :class:`Drawing`; :func:`rotation.figures.saving.save`
+writes any such mapping, also of another package.
 """
 
 from rotation.figures.drawing import Drawing

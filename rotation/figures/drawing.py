@@ -61,7 +61,7 @@ def figure_style(dark: bool = False) -> Iterator[None]:
 
 
 def expect_axes(ax: object, kind: str) -> None:
-    """Raise `DTypeError` unless ``ax`` are axes of matplotlib, "rectilinear" or "3d"."""
+    """Raise `DTypeError` unless ``ax`` are matplotlib axes, "rectilinear" or "3d"."""
     from matplotlib.axes import Axes
 
     ways = {"rectilinear": "figure.add_subplot()", "3d": 'figure.add_subplot(projection="3d")'}
@@ -74,19 +74,19 @@ def expect_axes(ax: object, kind: str) -> None:
 
 
 def ink_of(ax: Axes) -> ColorType:
-    """Return the colour of the axes' own lettering, which is legible on their background."""
+    """Return the colour of the axes' labels, which is legible on their background."""
     return ax.xaxis.label.get_color()
 
 
 def angle_text(angle: float | Array, degrees: bool = False) -> str:
-    """Return an angle as ``30°``, to four figures."""
+    """Return an angle as ``30°``, with up to four digits."""
     return f"{float(angle if degrees else to_degrees(NUMPY, np.asarray(angle))):.4g}°".replace(
         "-", "−"
     )
 
 
 def two_colours() -> tuple[Colour, Colour]:
-    """Return the first two colours of the current cycle: for points, and for their images."""
+    """Return the first two colours of the current cycle, for points and for their images."""
     from matplotlib.colors import to_rgb
 
     return to_rgb("C0"), to_rgb("C1")

@@ -1,4 +1,4 @@
-"""Figures 2.3 to 2.5: the letter T of example 2, turned about the origin, and under the matrices of 2.1.2.
+"""Figures 2.3 to 2.5: the letter T of example 2, rotated about the origin, and under the matrices of 2.1.2.
 
 The images under the matrices are drawn twice: with the printed matrices and with the corrected ones.
 """
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 
 Matrices = Callable[..., Floats]
 
-STEP = 30  # degrees between the passing positions of figure 2.4, which the thesis does not tell
+STEP = 30  # degrees between the passing positions of figure 2.4, not given in the thesis
 ANGLES = np.arange(11) * 36.0  # degrees: 2πn/10 for n = 0 … 10
-BEYOND = (14.3, 6.5)  # where the number of an image stands: next to the bar of the T
+BEYOND = (14.3, 6.5)  # position of the number of an image: next to the bar of the T
 PANELS: tuple[tuple[str, str, Matrices], ...] = (
     ("(a) as printed, O(θ) of example 3", "[cos θ, sin θ; sin θ, cos θ]", printed_orthogonal),
     (
@@ -66,7 +66,7 @@ def letter_t(figure: Figure) -> None:
 
 
 def letter_turned(figure: Figure) -> None:
-    """Draw figure 2.4: black the images under π/2, π and 3π/2, grey the passing positions."""
+    """Draw figure 2.4: the images under π/2, π and 3π/2 in black, intermediate positions in grey."""
     ax = figure.add_subplot()
     _square(ax, 17, 0.8)
     for angle in range(0, 360, STEP):
@@ -82,7 +82,7 @@ def letter_turned(figure: Figure) -> None:
 
 
 def _square(ax: Axes, reach: float, width: float) -> None:
-    """Show the plane from −reach to reach, with a grid."""
+    """Show the plane from −reach to reach with a grid."""
     ax.set(xlim=(-reach, reach), ylim=(-reach, reach))
     ax.grid(True)
     ax.set_axisbelow(True)
@@ -104,7 +104,7 @@ def letter_mirrored(figure: Figure) -> None:
 
 
 def _images(ax: Axes, matrices: Matrices) -> None:
-    """Draw the images: filled and solid where the area is that of the T, thin and dashed elsewhere."""
+    """Draw the images: filled and solid if the area equals that of the T, otherwise thin and dashed."""
     _square(ax, 19, 0.7)
     m = matrices(ANGLES[:10], degrees=True)
     images = transform(m[:, None], LETTER_T)

@@ -1,4 +1,4 @@
-"""Points of the plane turned about the origin, drawn in axes of matplotlib."""
+"""Points of the plane rotated about the origin, drawn in matplotlib axes."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def draw_plane(
     degrees: bool = False,
     joined: bool = True,
 ) -> Axes:
-    """Draw points of the plane and their images turned anticlockwise about the origin (thesis 2.1).
+    """Draw points of the plane and their images under a counterclockwise rotation (thesis 2.1).
 
-    The points have a dashed outline, the images are filled. Colours are the first two of the axes'
-    cycle (``C0`` and ``C1``), everything else follows the settings of the axes; both are labelled for
-    a legend.
+    The points have a dashed outline, and the images are filled. Their colours are the first two of the axes'
+    cycle (``C0`` and ``C1``); everything else follows the settings of the axes. Both are labelled for a
+    legend.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def draw_plane(
     points : array_like, shape (n, 2)
         x and y, in any unit of length.
     angle : array_like, shape () or (m,)
-        One angle or several, in radians; for a single angle its arc is drawn too.
+        One angle or several, in radians; the arc is drawn only for a single angle.
     degrees : bool
         The angles are in degrees.
     joined : bool
@@ -59,7 +59,7 @@ def draw_plane(
     RotationError
         Points of another shape, or points and angles that are not finite.
     DTypeError
-        An argument that is no plane axes, no array of points, or no angles.
+        Axes that are not plane, points that are not an array, or angles that are not numbers.
 
     Examples
     --------
@@ -93,7 +93,7 @@ def draw_plane(
 
 
 def turned_points(points: ArrayLike, angles: Sequence[float], joined: bool = True) -> Drawing:
-    """Return a figure of points (n, 2) and their images turned by angles in degrees."""
+    """Return a figure of points (n, 2) and their images under rotations by angles in degrees."""
     angle = angles[0] if len(angles) == 1 else angles
 
     def draw(figure: Figure) -> None:
@@ -124,7 +124,7 @@ def outline(ax: Axes, corners: Floats, **style: Any) -> None:
 
 
 def dots(ax: Axes, points: Floats, **style: Any) -> None:
-    """Draw points (n, 2) alone, in the style of a polygon."""
+    """Draw only the points (n, 2), in the style of a polygon."""
     style.pop("ls", None)
     x, y = points.T
     ax.scatter(x, y, 24, **style)
@@ -137,13 +137,13 @@ def arrow(
     colour: ColorType,
     width: float = 1.8,
 ) -> None:
-    """Draw an arrow from point to point."""
+    """Draw an arrow between two points."""
     style = {"arrowstyle": "-|>", "color": colour, "lw": width, "shrinkA": 0, "shrinkB": 0}
     ax.annotate("", xy=end, xytext=start, arrowprops=style)
 
 
 def arc(ax: Axes, radius: float, start: float, end: float, colour: ColorType) -> None:
-    """Draw an arc about the origin from angle to angle, in radians, with a head at its end."""
+    """Draw an arc about the origin between two angles, in radians, with an arrowhead at its end."""
     path = from_polar(radius, np.linspace(start, end, 61))
     ax.plot(*path.T, color=colour, lw=1.1)
     (x, y), (end_x, end_y) = path[[-3, -1]].tolist()
@@ -151,9 +151,9 @@ def arc(ax: Axes, radius: float, start: float, end: float, colour: ColorType) ->
 
 
 def _draw_angle(ax: Axes, corners: Floats, angle: float, text: str) -> None:
-    """Draw the angle at the origin from the middle of the points to the middle of their images.
+    """Draw the angle at the origin from the centroid of the points to the centroid of their images.
 
-    If the middle is the origin, it starts at the first point that is not the origin.
+    If the centroid is the origin, the angle starts at the first point other than the origin.
     """
     reach = np.hypot(*corners.T).max()
     middle = corners.mean(axis=0)

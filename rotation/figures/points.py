@@ -19,7 +19,7 @@ TURN = np.deg2rad(48.0)
 
 
 def polar_and_cartesian(figure: Figure) -> None:
-    """Draw figure 2.1: r and θ of a point against its x and y."""
+    """Draw figure 2.1: the polar coordinates r and θ of a point, and its x and y."""
     ax = _plane(figure, 5.6, 4.1)
     x, y = POINT
     theta = np.arctan2(y, x)
@@ -62,7 +62,7 @@ def turned_vector(figure: Figure) -> None:
 
 
 def _plane(figure: Figure, right: float, top: float) -> Any:
-    """Return axes without a frame: two arrows through the origin."""
+    """Return axes without a frame, with two arrows through the origin."""
     ax = figure.add_subplot(aspect="equal", xlim=(-0.7, right + 0.3), ylim=(-0.7, top + 0.3))
     ax.axis("off")
     for tip, name in (((right, 0), "$x$"), ((0, top), "$y$")):

@@ -1,4 +1,4 @@
-"""Save a drawing as a file: the same bytes each time, and completely or not at all."""
+"""Save a drawing as a file, reproducibly and atomically."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def picture(
     words: Mapping[str, str] | None = None,
     dark: bool = False,
 ) -> bytes:
-    """Return the drawing of ``draw`` on ``size`` inches as bytes, independent of date and settings.
+    """Return the picture drawn by ``draw`` on ``size`` inches as bytes, independent of date and settings.
 
-    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone; ``words`` replace lettering;
-    ``dark`` pictures are for dark pages.
+    ``suffix`` is one of ``FORMATS``; ``dpi`` applies to png only; ``words`` replaces labels; ``dark``
+    pictures are for dark pages.
     """
     out = BytesIO()
     with figure_style(dark):
@@ -59,8 +59,8 @@ def save(
 ) -> list[Path]:
     """Write each drawing to ``directory/figure-NUMBER.suffix`` and return the paths.
 
-    The directory is made where it is missing, and tried before anything is drawn. Raises
-    :class:`~hfield.cli.output.OutputError` where it cannot be written.
+    The directory is created if missing, and checked before anything is drawn. Raises
+    :class:`~hfield.cli.output.OutputError` if it cannot be written.
     """
     try_folder(directory)
     paths = []
@@ -89,6 +89,6 @@ def _writing(directory: Path) -> AbstractContextManager[None]:
 
 
 def write_whole(path: Path, content: bytes, replace: bool | None = None) -> None:
-    """Write a file that is there whole or not at all, as :func:`whole_file` has it. Raises OSError."""
+    """Write a file completely or not at all, as :func:`whole_file` does. Raises OSError."""
     with whole_file(path, replace) as part:
         part.write_bytes(content)

@@ -1,4 +1,4 @@
-"""Draw a rotation in three-dimensional axes of matplotlib: its axis, its angle, and rotated points."""
+"""Draw a rotation in three-dimensional matplotlib axes: its axis, its angle, and rotated points."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LETTERS = "xyz"
 
 
 def plot_rotation(q: Floats, ax: Axes3D | None, points: ArrayLike | None) -> Axes3D:
-    """Draw the rotation by a unit quaternion (4,), as described at `rotation.Rotation.plot`."""
+    """Draw the rotation of a unit quaternion (4,), as described in `rotation.Rotation.plot`."""
     expect_numpy("plot", q)
     if q.ndim != 1:
         raise RotationError(
@@ -75,7 +75,7 @@ def _title(q: Floats) -> str:
 
 
 def _draw(ax: Axes3D, q: Floats, start: Floats, frame: bool) -> None:
-    """Draw the axis, the points before and after, their paths, and the angle at the longest of these."""
+    """Draw the axis, the points before and after, their paths, and the angle at the longest path."""
     axis, angle = to_axis_angle(q.astype(np.float64))
     end = start @ to_matrix(q.astype(np.float64)).T
     ink, reach = ink_of(ax), np.linalg.norm(start, axis=1).max() or 1.0
@@ -102,7 +102,7 @@ def _draw(ax: Axes3D, q: Floats, start: Floats, frame: bool) -> None:
 def _draw_frame(
     ax: Axes3D, frame: Floats, colour: Colour, mark: str, beyond: float, **style: Any
 ) -> None:
-    """Draw three vectors from the origin, with the letters x, y and z beyond their ends."""
+    """Draw three vectors from the origin, with the labels x, y and z beyond their ends."""
     vectors = np.stack([0 * frame, frame], axis=-1)
     for letter, vector, point in zip(LETTERS, vectors, frame, strict=True):
         ax.plot(*vector, color=colour, **style)
@@ -112,7 +112,7 @@ def _draw_frame(
 
 
 def _equal_lengths(ax: Axes3D) -> None:
-    """Set equal limits on all axes, unless the user has fixed the limits."""
+    """Set equal limits on all axes, unless the user has set the limits."""
     if ax.get_autoscale_on():
         limits = np.array([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
         half = np.ptp(limits, axis=1).max() / 2
@@ -122,7 +122,7 @@ def _equal_lengths(ax: Axes3D) -> None:
 
 
 def _draw_paths(ax: Axes3D, axis: Floats, angle: float, start: Floats, ink: ColorType) -> None:
-    """Draw the arc from each point to its image, and the angle at the widest of them."""
+    """Draw the arc from each point to its image, and the angle at the longest of them."""
     turns = to_matrix(from_axis_angle(axis, np.linspace(0, angle, 49)))
     for point in start:
         ax.plot(*(turns @ point).T, color=ink, lw=0.8, ls=":")

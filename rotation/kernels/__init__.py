@@ -1,9 +1,9 @@
 """The loops that rotate many points, and the threads that share them.
 
-Every function takes arrays with the components last, in any strides, whose batches broadcast to that
-of ``out``; ``out`` may be the points themselves. Only zero axes and zero quaternions are checked here,
-because the loop detects them at no cost. A loop is compiled for the memory layout of its arrays on first
-use, in some hundredths of a second.
+Every function takes arrays with the components last, with any strides; their batches broadcast to that of
+``out``, which may be the points themselves. Only zero axes and zero quaternions are checked here, because the
+loop detects them at no cost. A loop is compiled for the memory layout of its arrays on first use, which takes
+some hundredths of a second.
 """
 
 import ctypes
@@ -24,7 +24,7 @@ from rotation.thread_count import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
 
-# Below this many points for each thread, waking one takes longer than its part of the work.
+# With fewer points per thread, waking a thread takes longer than its share of the work.
 LIGHT, HEAVY = 100_000, 8_000
 
 Kind = tuple[int, str, int, int]
@@ -41,13 +41,13 @@ def one(points: Array, matrix: Array, out: Array) -> None:
 
 
 def axis_angle(points: Array, axis: Array, angle: Array, out: Array, degrees: bool = False) -> bool:
-    """Rotate points about their own axes by their own angles; return whether an axis was zero."""
+    """Rotate points about individual axes by individual angles; return whether an axis was zero."""
     name = ("axis_angle", degrees, out.dtype == np.float32)
     return _run(name, HEAVY, points, axis, angle[..., None], out=out)
 
 
 def quaternions(points: Array, q: Array, out: Array) -> bool:
-    """Rotate points by their own quaternions of any length; return whether one was zero."""
+    """Rotate points by individual quaternions of any length; return whether one was zero."""
     return _run(("quaternions", out.dtype == np.float32), HEAVY, points, q, out=out)
 
 
@@ -59,22 +59,22 @@ def euler(
     out: Array,
     degrees: bool = False,
 ) -> None:
-    """Rotate points about coordinate axes, in that order, by their own angles ``(…, len(axes))``.
+    """Rotate points about coordinate axes, in that order, by individual angles ``(…, len(axes))``.
 
-    The first axis takes the last of the angles if ``backward``, else the first.
+    The first axis takes the last angle if ``backward``, else the first.
     """
     _run(("euler", axes, backward, degrees), HEAVY, points, angles, out=out)
 
 
 def contains_zero(array: Array) -> bool:
-    """Return whether a row has all its components zero."""
+    """Return whether a row has only zero components."""
     return _run(("contains_zero",), LIGHT, array)
 
 
 def cumulative(q: Array) -> Array:
     """Return ``q[0]``, ``q[1]·q[0]``, ``q[2]·q[1]·q[0]``, … for ``q`` of shape ``(N, 4)``, normalised.
 
-    The running product is kept in twice the precision, so errors do not add up over its length.
+    The running product is kept in twice the precision, so errors do not accumulate over its length.
     """
     with machine_code.lock:
         from rotation.kernels import chains
@@ -85,7 +85,7 @@ def cumulative(q: Array) -> Array:
 def _run(
     name: Name, grain: int, points: Array, *parameters: Array, out: Array | None = None
 ) -> bool:
-    """Run a kernel on points and parameters of one type: float64 if one of them is, or the points are."""
+    """Run a kernel on points and parameters of one type: float64 if any of them is float64."""
     target = points if out is None else out
     batch = target.shape[:-1]
     if target.size == 0:
@@ -118,10 +118,10 @@ def _run(
 
 @cache
 def _kernel(name: Name, kinds: tuple[Kind, ...], writes: bool) -> machine_code.Function | None:
-    """Return the loop of a kernel, or None where there can be no machine code.
+    """Return the loop of a kernel, or None if machine code is not available.
 
-    ``kinds`` are, operand by operand, how many components there are, numpy's letter for their type, and
-    the strides in bytes from one component to the next and from one row to the next.
+    ``kinds`` lists for each operand the number of components, numpy's letter for the type, and the strides in
+    bytes between components and between rows.
     """
     if not machine_code.available():
         return None

@@ -2,7 +2,7 @@
 
 A plain product of a million quaternions drifts: at random, or steadily if one factor is repeated. Here each
 component of the running product, and of each normalised factor, is a sum of two floats, high and low. So
-rounding happens at the 106th bit, and once more when a result is stored.
+rounding occurs at the 106th bit, and once more when a result is stored.
 """
 
 import ctypes
@@ -23,7 +23,7 @@ Pairs = tuple[Pair, Pair, Pair, Pair]
 
 
 def cumulative(q: Array) -> Array:
-    """Return the running products of the rows of ``q`` (N, 4), the newest on the left, normalised."""
+    """Return the running products of the rows of ``q`` (N, 4), each new factor on the left, normalised."""
     loop = _loop()
     if loop is None:
         return numpy_kernels.cumulative(q)
@@ -43,7 +43,7 @@ def _loop() -> machine_code.Function | None:
 
 
 def _entry() -> RowFunction:
-    """Write the function ``entry(n, addresses)``: one row after the other, in scalars."""
+    """Write the function ``entry(n, addresses)``, which processes the rows one after another in scalars."""
     program = RowFunction("i64 @entry(i64 %n, ptr %addresses)", width=1)
     kind = program.kind
     factors, products = program.entries("ptr", "%addresses", 2)
@@ -92,7 +92,7 @@ def _product(a: Pair, b: Pair) -> Pair:
 
 
 def _settled(high: Array, low: Array) -> Pair:
-    """Return a pair whose low part is below a unit in the last place of the high one."""
+    """Return a pair whose low part is below one unit in the last place of the high part."""
     s = high + low
     return s, low - (s - high)
 
@@ -102,7 +102,7 @@ def _minus(a: Pair) -> Pair:
 
 
 def _normalised(q: tuple[Pair, ...]) -> Pairs:
-    """Return four pairs divided by their length, which is no farther from 1 than 2²⁰⁰."""
+    """Return four pairs divided by their length, which must lie between 2⁻²⁰⁰ and 2²⁰⁰."""
     w, x, y, z = q
     square = _sum(_product(w, w), _product(x, x), _sum(_product(y, y), _product(z, z)))
     # Newton: from r ≈ 1/√square in one precision to twice that

@@ -1,7 +1,7 @@
-"""The formulas of the kernels: a fast form for eight points at once, and a careful one for extreme values.
+"""The formulas of the kernels: a fast form for eight points at once, and a careful form for extreme values.
 
-The fast form also returns where it is valid: not for large angles, nor where the square of a length times a
-coordinate may leave the range of floats. The careful form is the one for few points.
+The fast form also returns where it is valid. It is invalid for large angles, and where the square of a length
+times a coordinate may leave the range of floats. The careful form is the one used for few points.
 """
 
 import math
@@ -21,7 +21,8 @@ from rotation.native.pairs import Pair, plus_product, quick_two_sum, two_product
 from rotation.quaternions import normalise
 from rotation.vectors import about_axis, turn
 
-# Between these a squared length, times a coordinate between those, neither overflows nor loses digits.
+# Between these bounds a squared length, times a coordinate between them, neither overflows nor
+# loses digits.
 SMALL, LARGE = 2.0**-200, 2.0**200
 LOW, HIGH = 2.0**-700, 2.0**700
 
@@ -36,26 +37,28 @@ HALF_ROOT = math.sqrt(0.5)
 XP = tracing.NAMESPACE
 
 
-Image = tuple[Coordinates, Array | None]  # new coordinates, and where they are right
+Image = tuple[Coordinates, Array | None]  # new coordinates, and a mask of the valid ones
 Matrix = Sequence[Sequence[Array]]
 
 
 class Kernel(NamedTuple):
-    """A formula in its two forms."""
+    """A formula in its fast and its careful form."""
 
     fast: Callable[..., Image]
     careful: Callable[..., Coordinates] | None = None
 
 
 def _safe(square: Array) -> Array:
-    """Return whether a squared length can be used as it is; NaN cannot."""
+    """Return whether a squared length can be used directly; not so for NaN."""
     return (square >= SMALL) & (square <= LARGE)
 
 
 def _measured(point: Coordinates) -> tuple[Array, Array]:
-    """Return what to add to a result, −0 or NaN if a coordinate is not finite, and whether that is safe.
+    """Return the number to add to a result (−0, or NaN if a coordinate is not finite), and whether this is
+    safe.
 
-    It is not for points too large or small for a product with a squared length. Adding −0 changes no sum.
+    It is unsafe for points that are too large or too small for a product with a squared length. Adding −0
+    does not change a sum.
     """
     x, y, z = point
     size = XP.abs(x) + (XP.abs(y) + XP.abs(z))
@@ -67,12 +70,12 @@ def _plus(c: Operand, a: Array, b: Operand) -> Array:
 
 
 def _reachable(x: Array) -> Array:
-    """Return whether the fast form is valid for ``x``; it is not for NaN and inf."""
+    """Return whether the fast form is valid for ``x``; it is invalid for NaN and inf."""
     return XP.abs(x) <= REACH
 
 
 def _sincos(x: Array, degrees: bool) -> Pair:
-    """Return sine and cosine of reachable lanes ``x``."""
+    """Return sine and cosine of lanes ``x`` for which the fast form is valid."""
     k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + XP.ROUND
     n = k - XP.ROUND  # quarters of a turn
     if degrees:
@@ -82,7 +85,7 @@ def _sincos(x: Array, degrees: bool) -> Pair:
         r = ((x - n * P1) - n * P2) - n * P3
     s, c = _sincos_of_eighth(r)
     s = XP.where(r != 0.0, s, r)  # the sum loses the sign of −0
-    if degrees:  # both are √½, as those of whole quarters are 0 and 1
+    if degrees:  # both are √½, because those of whole quarters are 0 and 1
         eighth = XP.abs(rest) == 45.0
         s = XP.where(eighth, XP.copysign(HALF_ROOT, s), s)
         c = XP.where(eighth, HALF_ROOT, c)
@@ -115,7 +118,7 @@ def _one(points: Array, matrix: Array) -> Image:
 
 
 def _axis_angle(degrees: bool, single: bool, points: Array, axis: Array, angle: Array) -> Image:
-    """Return points turned about axes of any safe length."""
+    """Return points rotated about axes whose lengths are safe."""
     if not single and not hasattr(XP, "fma"):
         return _axis_angle_by_quaternion(degrees, points, axis, angle)
     a, point, t = split(axis), split(points), angle[...]
@@ -129,9 +132,9 @@ def _axis_angle(degrees: bool, single: bool, points: Array, axis: Array, angle: 
 
 
 def matrix_about(axis: Coordinates, sine: Array, cosine: Array, single: bool = False) -> Matrix:
-    """Return the matrices c + t·u·uᵀ + s·[u] of turns about axes u, t = 1 − c.
+    """Return the matrices c + t·u·uᵀ + s·[u] of rotations about axes u, with t = 1 − c.
 
-    How far the length of u is from 1 by rounding is measured and taken off, but for single precision.
+    The deviation of the length of u from 1 by rounding is measured and corrected, except in single precision.
     """
     t, low = quick_two_sum(1.0, -cosine)
     if single:
@@ -146,13 +149,13 @@ def matrix_about(axis: Coordinates, sine: Array, cosine: Array, single: bool = F
 
 
 def _excess(axis: Coordinates) -> Array:
-    """Return the small number N(u) − 1, summed from −½ and −½ for small rounding errors."""
+    """Return the small number N(u) − 1, summed so that rounding errors are small."""
     x, y, z = axis
     return _plus(_plus(_plus(-0.5, x, x), y, y) - 0.5, z, z)
 
 
 def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordinates) -> Matrix:
-    """Return the rows of a matrix: those products t·u·uᵀ, and ±s·u, beside the diagonal."""
+    """Return the rows of a matrix: the diagonal, and off it the products t·u·uᵀ and ±s·u."""
     (tx, ty, _), (_, y, z), (sx, sy, sz) = tu, u, su
     return (
         (diagonal[0], _plus(-sz, tx, y), _plus(sy, tx, z)),
@@ -162,7 +165,7 @@ def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordin
 
 
 def _axis_angle_by_quaternion(degrees: bool, points: Array, axis: Array, angle: Array) -> Image:
-    """Return the same by quaternions with coordinates rounded once, without fused multiply-add."""
+    """Return the same by quaternions whose coordinates are rounded once, without fused multiply-add."""
     a, point, half = split(axis), split(points), 0.5 * angle[...]
     poison, fine = _measured(point)
     XP.round_all(points[...])
@@ -173,7 +176,9 @@ def _axis_angle_by_quaternion(degrees: bool, points: Array, axis: Array, angle: 
 
 
 def _waves_of_degrees(x: Array) -> tuple[Pair, Pair, Array]:
-    """Return sine and cosine of reachable degrees as pairs, and where they are reachable."""
+    """Return sine and cosine of degrees as pairs, and a mask of the angles for which the fast form
+    is valid.
+    """
     k = x * (1.0 / 90.0) + XP.ROUND
     r = x - (k - XP.ROUND) * 90.0
     p, e = two_product(XP, r, RADIANS[0])
@@ -198,7 +203,7 @@ def _axis_angle_carefully(
 
 
 def _quaternions(single: bool, points: Array, q: Array) -> Image:
-    """Return the points after the rotation by quaternions of any safe length, by their matrices."""
+    """Return points rotated by quaternions whose lengths are safe, using their matrices."""
     c, point = split(q), split(points)
     poison, fine = _measured(point)
     XP.round_all(points[...])
@@ -212,7 +217,7 @@ def _quaternions(single: bool, points: Array, q: Array) -> Image:
 
 
 def matrix_of(q: Coordinates, single: bool = False) -> tuple[Matrix, Array]:
-    """Return the matrices 1 + t·(w·[u] + [u]²) of quaternions (w, u) of any length, t = 2/N(q), and N(q)."""
+    """Return the matrices 1 + t·(w·[u] + [u]²) of quaternions (w, u) of any length, and N(q); t = 2/N(q)."""
     w, *u = q
     square, t, low = _twice_inverse_norm(q)
     tu = tuple(t * c if single else _plus(low * c, t, c) for c in u)
@@ -223,7 +228,7 @@ def matrix_of(q: Coordinates, single: bool = False) -> tuple[Matrix, Array]:
 
 
 def _twice_inverse_norm(q: Coordinates) -> tuple[Array, Array, Array]:
-    """Return N(q) and t = 2/N(q), both rounded, and a correction of t for both roundings."""
+    """Return N(q) and t = 2/N(q), both rounded, and a correction of t for both rounding errors."""
     w, x, y, z = q
     square, low = two_product(XP, z, z)
     for c in (y, x, w):
@@ -241,7 +246,7 @@ def _quaternions_carefully(single: bool, points: Array, q: Array) -> Coordinates
 def _euler(
     axes: tuple[int, ...], backward: bool, degrees: bool, points: Array, angles: Array
 ) -> Image:
-    """Rotate about coordinate axes one after the other."""
+    """Rotate about coordinate axes one after another."""
     turns = split(angles)
     poison, fine = _measured(split(points))
     for t in turns:
@@ -288,8 +293,9 @@ _KERNELS = {
 def kernel(name: str, *parameters: bool | tuple[int, ...]) -> Kernel:
     """Return a kernel by its name and its parameters.
 
-    "axis_angle" takes whether angles are in degrees and whether the result is float32, "quaternions" only the
-    latter. "euler" takes the axes, whether they go backward, and whether angles are in degrees.
+    "axis_angle" has two parameters: whether angles are in degrees, and whether the result is float32.
+    "quaternions" has only the latter. "euler" has the axes, whether they are applied backwards, and whether
+    angles are in degrees.
     """
     fast, careful = _KERNELS[name]
     return Kernel(partial(fast, *parameters), careful and partial(careful, *parameters))

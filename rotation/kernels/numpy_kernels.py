@@ -1,4 +1,4 @@
-"""Rotate points in plain numpy: the fallback without LLVM, and the oracle in tests of the compiled kernels.
+"""Rotate points in plain numpy: the fallback without LLVM, and the reference in tests of compiled kernels.
 
 Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
 """
@@ -21,7 +21,7 @@ def one(points: Array, matrix: Array) -> Array:
 
 
 def axis_angle(points: Array, axis: Array, angle: Array, degrees: bool = False) -> Array:
-    """Return Rodrigues' formula: v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), u the unit axis."""
+    """Return Rodrigues' formula v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), where u is the unit axis."""
     scaled = axis / np.max(np.abs(axis), axis=-1, keepdims=True)
     unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
     sine, cosine = (wave[..., None] for wave in waves(NUMPY, angle, degrees))
@@ -44,7 +44,9 @@ def quaternions(points: Array, q: Array) -> Array:
 def euler(
     points: Array, angles: Array, axes: tuple[int, ...], backward: bool, degrees: bool = False
 ) -> Array:
-    """Return the rotations one after the other, by the last of the angles first if ``backward``."""
+    """Return the points rotated about the axes one after another, beginning with the last angle if
+    ``backward``.
+    """
     turns = np.moveaxis(angles, -1, 0)[:: -1 if backward else 1]
     for axis, angle in zip(axes, turns, strict=True):
         points = axis_angle(points, np.eye(3)[axis], angle, degrees)
@@ -52,7 +54,7 @@ def euler(
 
 
 def cumulative(q: Array) -> Array:
-    """Return the running products, the newest factor on the left, each normalised."""
+    """Return the running products, each new factor on the left, each normalised."""
     products = np.empty_like(q)
     running = np.array([1.0, 0.0, 0.0, 0.0])
     for n, factor in enumerate(q / np.max(np.abs(q), axis=-1, keepdims=True, initial=0.0)):
@@ -63,7 +65,9 @@ def cumulative(q: Array) -> Array:
 
 
 def run(name: Name, read: tuple[Array, ...], out: Array | None) -> bool:
-    """Apply the numpy twin of the kernel ``name`` to operands; return the same flag."""
+    """Apply the numpy version of the kernel ``name`` to operands; return the same flag as the compiled
+    kernel.
+    """
     if out is None:
         return _contains_zero(read[0])
     v, *parameters = (a.astype(np.float64) for a in read)

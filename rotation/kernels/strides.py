@@ -18,10 +18,10 @@ class BatchAxes(NamedTuple):
 
 @lru_cache(maxsize=1024)  # frame after frame has arrays of the same kind
 def walk(batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]) -> BatchAxes | None:
-    """Return the walk through arrays with components last, given by shape and strides.
+    """Return how to iterate over arrays with components last, given their shapes and strides.
 
-    Each batch broadcasts to ``batch``. None if the common batch does not reduce to two axes of constant
-    stride: then arrays in one piece are needed.
+    Each batch broadcasts to ``batch``. The result is None if the common batch does not reduce to two axes of
+    constant stride; then contiguous arrays are needed.
     """
     axes = _reduce(batch, [_strides(batch, shape, strides) for shape, strides in arrays])
     if len(axes) > 2:
@@ -34,7 +34,7 @@ def walk(batch: Shape, arrays: tuple[tuple[Shape, Shape], ...]) -> BatchAxes | N
 
 
 def _strides(batch: Shape, shape: Shape, strides: Shape) -> Shape:
-    """Return the strides of an array's batch when broadcast, in bytes."""
+    """Return the strides in bytes of an array's batch after broadcasting."""
     missing = len(batch) - len(shape) + 1
     return (0,) * missing + tuple(
         0 if n == 1 else s for n, s in zip(shape[:-1], strides[:-1], strict=True)
@@ -42,7 +42,7 @@ def _strides(batch: Shape, shape: Shape, strides: Shape) -> Shape:
 
 
 def _reduce(batch: Shape, strides: list[Shape]) -> list[tuple[int, ...]]:
-    """Return the axes as ``(length, strides…)``, merged where every operand runs on evenly."""
+    """Return the axes as ``(length, strides…)``, merging axes over which every operand is contiguous."""
     axes = [(n, *s) for n, *s in zip(batch, *strides, strict=True) if n != 1]
     axes.sort(key=lambda axis: -abs(axis[-1]))  # along the memory of the result
     merged: list[tuple[int, ...]] = []

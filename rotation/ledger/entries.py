@@ -1,7 +1,7 @@
 """Matrices and vectors whose entries are terms of the statement language.
 
-Sums and products leave out zeros and ones, so that terms stay short. Vectors are rows of terms; equalities
-are statements, entry by entry.
+Sums and products omit zeros and ones, so that terms stay short. Vectors are rows of terms; equalities are
+statements, entry by entry.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ Matrix = tuple[Vector, ...]
 
 
 def matrix(text: str) -> Matrix:
-    """Read a matrix written ``c, -s; s, c``: rows between semicolons."""
+    """Read a matrix such as ``c, -s; s, c``, with rows separated by semicolons."""
     return tuple(vector(row) for row in text.split(";"))
 
 
 def vector(text: str) -> Vector:
-    """Read a vector written ``1, -1, 1``."""
+    """Read a vector such as ``1, -1, 1``."""
     return tuple(map(parse, text.split(",")))
 
 
@@ -167,7 +167,7 @@ def symmetric(m: Matrix, n: Matrix) -> Node:
 
 
 def orthogonal(m: Matrix) -> Node:
-    """Return the statement m·mᵀ = I, each of its equations once."""
+    """Return the statement m·mᵀ = I, with each of its equations once."""
     return symmetric(times(m, transpose(m)), identity(len(m)))
 
 

@@ -42,8 +42,8 @@ PRINTED_ZYX = matrix(
 
 P, Q, R, Y, Z = names("p q r y z")
 
-# For R in SO(3) put cos θ = z, a root of r11² + r21², and y = 1/z. Where z ≠ 0, all three angles are
-# read off the first column and the last row; where r11 = r21 = 0, one may take φ = 0.
+# For R in SO(3) let cos θ = z, where z² = r11² + r21², and y = 1/z. If z ≠ 0, all three angles can
+# be read off the first column and the last row; if r11 = r21 = 0, φ = 0 is a possible choice.
 FIRST, LAST = "p[1]**2 + q[1]**2 == z**2", "r[2]**2 + r[3]**2 == z**2"
 TIMES_SQUARE = {  # the other four entries of R, times z²
     (0, 1): "-p[1]*r[1]*r[2] - q[1]*r[3]",
@@ -68,7 +68,7 @@ GENERAL = (
 
 
 def locked(sine: Node) -> Node:
-    """Say what R is where r11 = r21 = 0, with the sine of the angle about x."""
+    """Return the claim what R is if r11 = r21 = 0, given the sine of the angle about x."""
     left = both(ORTHOGONAL, OWN_COFACTORS, "p[1] == 0", "q[1] == 0")
     turned = equal(ANY, times(about_y(ZERO, -R[1]), about_x(Q[2], sine)))
     return implies(left, both(turned, "r[1]**2 == 1", "q[2]**2 + q[3]**2 == 1"))
@@ -78,7 +78,7 @@ REAL_ANGLES = "Angles of rotations of the real space are meant."
 
 
 def every_rotation(sine: Node) -> OnlyOver:
-    """Say that every rotation has Euler angles; ``sine`` is that about x where r11 = r21 = 0."""
+    """Return the claim that every rotation has Euler angles; ``sine`` belongs to x where r11 = r21 = 0."""
     parts: tuple[Proposition, ...] = (
         SO3_IS_COFACTORS,
         SO3_COLUMNS,

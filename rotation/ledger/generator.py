@@ -1,9 +1,9 @@
 """The least and the greatest number that Python's ``random()`` can return, found by running it.
 
-CPython's generator, the Mersenne Twister, makes a number of two words of 32 bits: the upper 27 bits
-a of the first and the upper 26 bits b of the second give (a·2²⁶ + b)/2⁵³, so the extreme numbers
-come from the extreme words. These words are the state of the generator after an invertible linear map
-("tempering"; Matsumoto and Nishimura, 1998), so there is a state for any two words.
+CPython's generator, the Mersenne Twister, makes a number from two 32-bit words: the upper 27 bits a of the
+first and the upper 26 bits b of the second give (a·2²⁶ + b)/2⁵³, so the extreme numbers come from the extreme
+words. These words are the state of the generator after an invertible linear map ("tempering"; Matsumoto and
+Nishimura, 1998), so every pair of words has a state.
 """
 
 from collections.abc import Callable
@@ -17,7 +17,7 @@ ONES = 0xFFFFFFFF
 
 
 def returned(first: int, second: int) -> float:
-    """Return what ``random()`` returns when the generator yields these two words of 32 bits."""
+    """Return the value of ``random()`` if the generator yields these two 32-bit words."""
     generator = Random(0)
     version, _, gauss = generator.getstate()
     words = [untempered(first), untempered(second), *[0] * (WORDS - 2)]
@@ -26,7 +26,7 @@ def returned(first: int, second: int) -> float:
 
 
 def untempered(word: int) -> int:
-    """Return the word of the state that the generator would make into ``word``, of 32 bits."""
+    """Return the state word from which the generator makes the 32-bit ``word``."""
     word ^= word >> 18
     word ^= (word << 15) & 0xEFC60000
     state = word
@@ -39,14 +39,14 @@ def untempered(word: int) -> int:
 
 
 def is_made_of_words(seed: int) -> bool:
-    """Return whether the first number for a seed is made of its first two words as described."""
+    """Return whether the first number for a seed is made from its first two words as described."""
     words = Random(seed)
     a, b = words.getrandbits(32) >> 5, words.getrandbits(32) >> 6
     return Random(seed).random() == (a * 2**26 + b) / 2**53
 
 
 def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
-    """Say that all numbers of ``random()`` lie in an interval; ``holds`` checks the extreme ones."""
+    """Return the claim that all numbers of ``random()`` lie in an interval; ``holds`` checks the extremes."""
 
     def check_claim() -> ComputedResult:
         low, high = returned(0, 0), returned(ONES, ONES)

@@ -1,8 +1,8 @@
-"""State that a rational number is smaller than another in the language of quaternions.
+"""State that one rational number is smaller than another, in the language of quaternions.
 
-A rational number d is positive exactly when −d is no norm over ℚ: norms are sums of four squares,
-and by Lagrange's theorem every d ≥ 0 is one. So ``a < b`` is the statement that no quaternion has
-the norm a − b: the prover shows it, and where it is wrong four squares are a counterexample.
+A rational number d is positive if and only if −d is not a norm over ℚ: norms are sums of four squares, and by
+Lagrange's theorem every d ≥ 0 is one. So ``a < b`` is the statement that no quaternion has the norm a − b.
+The prover proves it; if it is false, four squares are a counterexample.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Less:
 
     @property
     def statement(self) -> str:
-        """The inequality, as one about norms over ℚ."""
+        """The inequality, as a statement about norms over ℚ."""
         return f"norm(q) != {self.difference}"
 
     @property
@@ -68,11 +68,11 @@ class Less:
 
 
 def _valued(term: str, value: Fraction) -> str:
-    """Write a term with its value, and that to six digits."""
+    """Write a term with its value, and the value to six digits."""
     return f"{term} = {value}" + ("" if value.denominator == 1 else f" ≈ {float(value):.6g}")
 
 
 def between(low: str, value: str, high: str, name: str) -> Every:
-    """Return ``low < value < high``; ``name`` says what the value is."""
+    """Return ``low < value < high``; ``name`` describes the value."""
     parts = (Less(low, value, f"{low} < {name}"), Less(value, high, f"{name} < {high}"))
     return Every(parts, f"{low} < {name} < {high}")

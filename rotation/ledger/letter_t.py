@@ -9,17 +9,17 @@ LETTER = ((10, 1), (11, 1), (11, 6), (13, 6), (13, 7), (8, 7), (8, 6), (10, 6))
 
 
 def twice_area(points: tuple[tuple[int, int], ...]) -> Node:
-    """Return twice the signed area inside a closed line through the points."""
+    """Return twice the signed area enclosed by a closed polygon through the points."""
     pairs = zip(points, (*points[1:], points[0]), strict=True)
     first, *rest = (number(a) * d - number(c) * b for (a, b), (c, d) in pairs)
     return sum(rest, first)
 
 
 def letter_t(points: tuple[tuple[int, int], ...]) -> Node:
-    """Say what makes eight points a letter T.
+    """Return the claim that eight points form a letter T.
 
-    The sides are parallel to the axes in turn, the mirror x ↦ 21 − x exchanges the two halves, and
-    the area is that of a bar 5·1 upon a stem 1·5.
+    The sides are alternately parallel to the axes, the reflection x ↦ 21 − x exchanges the two halves, and
+    the area is that of a 5 × 1 bar on a 1 × 5 stem.
     """
     sides = zip(points, (*points[1:], points[0]), strict=True)
     parallel = [equal(a[1 - n % 2], b[1 - n % 2]) for n, (a, b) in enumerate(sides)]
@@ -31,7 +31,7 @@ def letter_t(points: tuple[tuple[int, int], ...]) -> Node:
 
 
 def joined(last: int) -> InField:
-    """Say that for every i from 1 to ``last`` there is a point x_{i+1} among the eight."""
+    """Return the claim that for every i from 1 to ``last`` the point x_{i+1} is one of the eight."""
     (s,) = names("s")
     some = either(*(equal(s, n) for n in range(1, last + 1)))
     points = either(*(equal(s + 1, n) for n in range(1, len(LETTER) + 1)))

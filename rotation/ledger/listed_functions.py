@@ -1,11 +1,11 @@
-"""The base class of claims about programs, which concern no field: they count functions."""
+"""The base class of claims that count functions of a program, and do not concern a field."""
 
 from hfield.ledger.claim import Computed, ComputedResult
 from rotation import thesis
 
 
 def listed(names: tuple[str, ...], count: int) -> Computed:
-    """Say that so many functions are listed, and that each of them exists."""
+    """Return the claim that so many functions are listed and that each of them exists."""
 
     def check_claim() -> ComputedResult:
         missing = [name for name in names if not callable(getattr(thesis, name, None))]

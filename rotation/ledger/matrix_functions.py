@@ -1,6 +1,6 @@
-"""Section 3.1.2: the functions that turn points by matrices.
+"""Section 3.1.2: the functions that rotate points by matrices.
 
-As in 3.1.1 they are run on terms. s and t stand for the cosine and the sine of half an angle.
+As in 3.1.1 they are run on terms; s and t stand for the cosine and the sine of half an angle.
 """
 
 from hfield.ledger.document import Propositions
@@ -22,7 +22,7 @@ MATRICES = (
 
 
 def about(axis: str, name: str) -> Assertion:
-    """Say that a matrix function turns q about a basis vector as a quaternion of half the angle does."""
+    """Return the claim that a matrix function rotates q as the quaternion of half the angle does."""
     double = {"cos": read_as({"angle": "s**2 - t**2"}), "sin": read_as({"angle": "2*s*t"})}
     matrix = code(name, **double)(ANGLE)
     turned = point(code("rotationbyMatrix")(matrix, Q))
@@ -32,11 +32,12 @@ def about(axis: str, name: str) -> Assertion:
 
 
 def axes(*basis: str) -> Every:
-    """Say that of the three matrix functions, about these basis vectors."""
+    """Return this claim for the three matrix functions, about these basis vectors."""
     return Every(tuple(map(about, basis, MATRICES)))
 
 
-# cos ψ, sin ψ = p0, p1; cos φ, sin φ = q0, q1; cos θ, sin θ = r0, r1, and the point is v.
+# (cos ψ, sin ψ) = (p0, p1), (cos φ, sin φ) = (q0, q1), (cos θ, sin θ) = (r0, r1), and the point is
+# v.
 EULER = {
     "cos": read_as({"psi": "p[0]", "phi": "q[0]", "theta": "r[0]"}),
     "sin": read_as({"psi": "p[1]", "phi": "q[1]", "theta": "r[1]"}),
@@ -44,7 +45,7 @@ EULER = {
 
 
 def euler(order: tuple[str, str, str]) -> Assertion:
-    """Say that rotationMatrixZYX turns a point about these axes, the last one first, by ψ, φ, θ."""
+    """Return the claim that rotationMatrixZYX rotates about these axes, the last one first, by ψ, φ, θ."""
     angles = {"z": PSI, "y": PHI, "x": THETA}
     turn, v = code("rotationbyMatrix"), coordinates("v")
     matrix = code("rotationMatrixZYX", **EULER)(*angles.values())
@@ -62,7 +63,7 @@ ROWS = [coordinates(row) for row in "pqr"]
 
 
 def rows_times(order: tuple[int, int, int]) -> Assertion:
-    """Say that rotationbyMatrix returns the products of these rows with the point v."""
+    """Return the claim that rotationbyMatrix returns the products of these rows with the point v."""
     v = coordinates("v")
     product = [scalar(point(ROWS[n]) * conj(point(v))) for n in order]
     words = f"rotationbyMatrix(M, x) is the product of rows {order} of M with x"

@@ -27,7 +27,7 @@ S, P = names("s p")
 
 
 def cubic(x: Node, power: Node) -> Node:
-    """Return x³ − (tr A)·x² + (sum of minors)·x − det A, with another ``power`` for x³."""
+    """Return x³ − (tr A)·x² + (sum of minors)·x − det A, with ``power`` in place of x³."""
     return power - trace(A) * x**2 + MINORS * x - det(A)
 
 
@@ -38,7 +38,7 @@ OTHER_SIGN = both(LINEAR, same(-det(shifted(A, -S)), S**3 - trace(A) * S**2 - MI
 
 
 def odd(power: Node) -> Node:
-    """The same claim for λ and −λ, whose cube is ``power``."""
+    """Return the same claim for λ and −λ; the cube of −λ is ``power``."""
     return both(CHARACTERISTIC, same(-det(shifted(A, S)), cubic(-S, power)))
 
 

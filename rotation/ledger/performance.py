@@ -18,12 +18,12 @@ GAP = "the quaternions' mean of test 2 less that of test 1"
 
 
 def mean_is(times: printed_times.Times, printed: str) -> InField:
-    """Say that the mean of the times is the number printed."""
+    """Return the claim that the mean of the times is the printed number."""
     return InField("QQ", Assertion(f"{printed_times.mean(times)} == {printed}"))
 
 
 def repeated(count: int) -> Computed:
-    """Say that each of the four rows of the tables has so many times, in whole seconds."""
+    """Return the claim that each of the four table rows has so many times, in whole seconds."""
 
     def check_claim() -> ComputedResult:
         lengths = [len(row) for row in printed_times.ALL]

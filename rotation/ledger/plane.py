@@ -1,8 +1,8 @@
 """Sections 2.1 and 2.1.1: polar coordinates, the rotation of the plane, SO(2).
 
-An angle is the point (cos θ, sin θ) of the circle c² + s² = 1, so that most of this has an algebraic
-core over every commutative ring. The sum of two angles is the product (c + s·i)(c' + s'·i) of such
-points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where one angle is enough.
+An angle is the point (cos θ, sin θ) of the circle c² + s² = 1, so most of this has an algebraic core over
+every commutative ring. The sum of two angles is the product (c + s·i)(c' + s'·i) of the points (the addition
+formulas). ``y`` and ``s`` are the cosine and the sine if there is only one angle.
 """
 
 from hfield.checker.glossary import CIRCLE
@@ -33,7 +33,9 @@ THEOREM_4 = implies(theorem5.special(A), FIRST_COLUMN)
 
 
 def angle_found(other: int) -> Node:
-    """Say that det Aᵗ = 1 and det A = a11² + a12², and that a11² and the square of another entry make 1."""
+    """Return the claim that det Aᵗ = 1, det A = a11² + a12², and a11² plus the square of another
+    entry is 1.
+    """
     (a, b), _ = A
     p = (a, b, *A[1])
     length = same(det(A), a**2 + b**2)
@@ -52,8 +54,8 @@ ANGLE_OF_POINT = (
     "p[0] == z*(p[0]/z) and p[1] == z*(p[1]/z) and (p[0]/z)**2 + (p[1]/z)**2 == 1"
 )
 
-# v ↦ p·v with |p| = 1 keeps lengths, and can be joined to the identity: it lies in SO(4). A vector
-# that it leaves where it is makes p − 1 a divisor of 0.
+# v ↦ p·v with |p| = 1 preserves lengths and is connected to the identity, so it is in SO(4). If it
+# fixes a nonzero vector, p − 1 is a divisor of 0.
 FOUR = Assertion("norm(p) == 1 => norm(p - 1) == 0")
 TWO_AND_THREE = (Assertion.of(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
 EVERY_N = (

@@ -20,5 +20,5 @@ def ratio(slow: Times, fast: Times) -> str:
 
 
 def saving(slow: Times, fast: Times) -> str:
-    """Return by how many per cent of the slow time the fast one is shorter."""
+    """Return by how many per cent the fast time is shorter than the slow one."""
     return f"100*({mean(slow)} - {mean(fast)})/({mean(slow)})"

@@ -1,8 +1,8 @@
-"""Section 3.1.1: the functions that turn points by quaternions.
+"""Section 3.1.1: the functions that rotate points by quaternions.
 
-What a function returns is found by running it on terms (:mod:`rotation.ledger.symbolic_runs`), and the
-formula that comes back is compared with the product of ``hfield``. Arguments of type list are the
-coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and a sine.
+A function is run on terms (:mod:`rotation.ledger.symbolic_runs`), and the resulting formula is compared with
+the product of ``hfield``. Arguments of type list are the coordinates over i, j, k of the unknowns p and q; s
+and t stand for a cosine and a sine.
 """
 
 from hfield.ledger.document import Propositions
@@ -44,13 +44,13 @@ LENGTH = equal(Y**2, norm(U))
 
 
 def axis_stays(*given: Node, words: str = "") -> Assertion:
-    """Say that the axis p, not 0, stays where it is exactly when its length is 1."""
+    """Return the claim that the nonzero axis p is fixed if and only if its length is 1."""
     stays = equal(AXIS_TURNED, U)
     return Assertion.of(iff(stays, UNIT), (CIRCLE, unequal(U, 0), *given), words)
 
 
 def rodrigues(cosine: Node, sine: Node) -> Node:
-    """Return the point q turned about the unit vector p by the angle with this cosine and sine."""
+    """Return the point q rotated about the unit vector p by the angle with this cosine and sine."""
     return cosine * V + sine * vector(U * V) - (1 - cosine) * scalar(U * V) * U
 
 

@@ -40,7 +40,7 @@ SINES = (*RISING, *map(negative, RISING), ZERO)
 
 
 def turns(full: int) -> Node:
-    """Say that tenths of a turn, added up, make a full turn after ``full`` steps, and not before."""
+    """Return the claim that tenths of a turn add up to a full turn after ``full`` steps, and not before."""
     (_, c, *_), pairs = COSINES, list(zip(COSINES, SINES, strict=True))
     steps = [
         both(same(x * c - y * SQUARE, u), same(x + y * c, v)) for (x, y), (u, v) in pairwise(pairs)
@@ -51,7 +51,7 @@ def turns(full: int) -> Node:
 
 
 def area_kept(steps: tuple[int, ...]) -> Node:
-    """Say for which n from 0 to 9 the matrix O(2πn/10), of determinant 2cos² − 1, keeps areas."""
+    """Return the claim for which n from 0 to 9 O(2πn/10), of determinant 2cos² − 1, preserves areas."""
     added = [same(COSINES[n + 1], GOLDEN * COSINES[n] - COSINES[n - 1]) for n in range(1, 10)]
     kept = [
         (same if n in steps else unequal)((2 * c**2 - 1) ** 2, 1)

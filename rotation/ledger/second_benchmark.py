@@ -1,6 +1,6 @@
 """The functions of the second test of 3.2, evaluated on symbolic points.
 
-The test turns every point about its own direction, and by the Euler angle that has its coordinates.
+The test rotates every point about its own direction, and by the Euler angles given by its coordinates.
 """
 
 from hfield.ledger.propositions import Assertion
@@ -25,7 +25,7 @@ MOVES = Assertion.of(
     unequal(ITSELF, PLACE), (LENGTH, unequal(Y, 0), CIRCLE, unequal(T, 0)), f"{SELF} ≠ x"
 )
 
-# With an axis of its own for every point: q, of length 1.
+# With one axis for every point: q, of length 1.
 OWN = point(code("rotationquaternion", **HALF)(ANGLE, Q, P))
 UNIT = same(norm(point(Q)), 1)
 STAYS_ABOUT_ANOTHER = Assertion.of(same(OWN, PLACE), (UNIT, CIRCLE))
@@ -44,7 +44,7 @@ ANGLES = {
 
 
 def euler_turned(angle: str) -> Assertion:
-    """Say that the matrix model moves the point (x, 0, 0) wherever the sine of x is not 0."""
+    """Return the claim that the matrix model moves the point (x, 0, 0) if the sine of x is not 0."""
     matrix = code("rotationMatrixZYX", **ANGLES)(*names(f"{angle} zero zero"))
     place = [X, number(0), number(0)]
     turned = code("rotationbyMatrix")(matrix, place)
@@ -56,12 +56,12 @@ def euler_turned(angle: str) -> Assertion:
     )
 
 
-# Two Euler angles: cosines and sines in p, q, r (about z, y, x) and in u, v, w.
+# Two triples of Euler angles: cosines and sines in p, q, r (about z, y, x) and in u, v, w.
 FIRST, SECOND = ("p", "q", "r"), ("u", "v", "w")
 
 
 def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Node]]:
-    """Return the matrix for three angles, cosine and sine being coordinates 0 and 1 of unknowns."""
+    """Return the matrix for three angles; their cosines and sines are coordinates 0 and 1 of the unknowns."""
     read = {
         "cos": read_as({a: f"{a}[0]" for a in unknowns}),
         "sin": read_as({a: f"{a}[1]" for a in unknowns}),
@@ -71,9 +71,10 @@ def euler_matrix(unknowns: tuple[str, str, str]) -> list[list[Node]]:
 
 
 def determined(*cosines: str) -> Assertion:
-    """Say that equal matrices come from equal angles, under a condition on the cosines of the middle angles.
+    """Return the claim that equal matrices have equal angles, if the cosines of the middle angles satisfy a
+    condition.
 
-    The last row and the first column of the matrices tell the angles already.
+    The last row and the first column of the matrices determine the angles.
     """
     circles = [f"{a}[0]**2 + {a}[1]**2 == 1" for a in (FIRST[1], SECOND[1])]
     angle_entries = [

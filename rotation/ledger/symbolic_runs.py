@@ -1,4 +1,4 @@
-"""Run the thesis's functions on terms, which turns their results into formulas to prove.
+"""Run the thesis's functions on terms, so that their results are formulas that can be proved.
 
 With terms of the statement language as arguments in place of floats, a function of :mod:`rotation.thesis`
 returns terms. So the ledger proves the code that runs, not a formula copied from it.
@@ -30,7 +30,7 @@ def scalar(unknown: str) -> Node:
 
 
 def point(v: Sequence[Operand]) -> Node:
-    """Return a list of three as a quaternion without scalar part."""
+    """Return a list of three terms as a pure quaternion."""
     x, y, z = (number(c) * unit for c, unit in zip(v, names("i j k"), strict=True))
     return x + y + z
 
@@ -42,15 +42,16 @@ def quaternion(a: Operand, v: Sequence[Operand]) -> Node:
 
 
 def read_as(values: Mapping[str, str]) -> Callable[[Node], Node]:
-    """Return a function of one argument known at these terms only, such as a cosine."""
+    """Return a function of one argument with values only at these terms, such as a cosine."""
     table = {parse(argument): parse(value) for argument, value in values.items()}
     return lambda argument: table[argument]
 
 
 def code(name: str, **read: Callable[[Node], Node]) -> Callable[..., Any]:
-    """Return a function of :mod:`rotation.thesis`, with ``cos``, ``sin`` or ``sqrt`` read as given.
+    """Return a function of :mod:`rotation.thesis`, with ``cos``, ``sin`` or ``sqrt`` replaced.
 
-    It and all that it calls are the same compiled code; only those names mean something else.
+    The function and all functions that it calls are the same compiled code; only these names have another
+    meaning.
     """
     names: dict[str, Any] = {**vars(thesis), **read}
     for key, value in vars(thesis).items():

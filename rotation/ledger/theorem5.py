@@ -1,13 +1,13 @@
 """Section 2.2.4, Theorem 5: every R in SO(3) is a rotation, with its axis and its angle.
 
-The core holds over every commutative ring. For R in SO(3), where R is its own matrix of cofactors,
-let t be its trace and W = (r32 − r23, r13 − r31, r21 − r12). Then det(R − I) = 0, so that a vector is
-fixed; RW = W; W∘W = (1 + t)(3 − t); and (1 + t)(R + Rᵗ) = (t² − 1)I + WWᵗ. Where 2(1 + t) is a unit,
-put c = (t − 1)/2 and w = W/2: the last line is Rodrigues' formula for the angle with the cosine c, the
-axis w and the sine |w|, and the line before says that c² + |w|² = 1.
+The core holds over every commutative ring. Let R be in SO(3), so that R is its own matrix of cofactors, let t
+be its trace and W = (r32 − r23, r13 − r31, r21 − r12). Then det(R − I) = 0, so that a vector is fixed; RW =
+W; W∘W = (1 + t)(3 − t); and (1 + t)(R + Rᵗ) = (t² − 1)I + WWᵗ. If 2(1 + t) is a unit, let c = (t − 1)/2 and w
+= W/2. Then the last equation is Rodrigues' formula for the angle with cosine c, the axis w and the sine |w|,
+and the equation before it says that c² + |w|² = 1.
 
 Over RR the case t = −1 remains. Then W∘W = 0 implies W = 0, so R is symmetric, and the minors of R + I are
-those of R − Rᵗ + (1 + t)I = 0; so R + I has rank one, and a column of it, divided by its length (every
+those of R − Rᵗ + (1 + t)I = 0. So R + I has rank one, and one of its columns, divided by its length (every
 norm is a square), is the axis of a half turn.
 """
 
@@ -105,7 +105,7 @@ B = transpose(general("uvw"))
 
 
 def bordered(corner: Node) -> Matrix:
-    """Return the block [[a, c], [b, d]] with the entry ``corner`` below it."""
+    """Return the 3 × 3 block matrix with [[a, c], [b, d]] and the entry ``corner`` below it."""
     (a, c), (b, d) = BLOCK
     return ((a, c, ZERO), (b, d, ZERO), (ZERO, ZERO, corner))
 

@@ -1,8 +1,8 @@
 """Section 2.2.5: unit and pure quaternions, and Theorem 6 on the rotation T_q.
 
 c = cos θ and s = sin θ are the scalars ``y`` and ``s``; the axis u and the point v are the vector parts
-``vector(u)`` and ``vector(v)``, so that all holds over every commutative ring, in
-ℤ[c, s, u₁, u₂, u₃]/(c² + s² − 1, u∘u − 1) and any ring that it maps to.
+``vector(u)`` and ``vector(v)``. So everything holds over every commutative ring: in ℤ[c, s, u₁, u₂, u₃]/(c² +
+s² − 1, u∘u − 1), and in every ring to which this ring maps.
 """
 
 from hfield.ledger.document import Propositions
@@ -21,7 +21,7 @@ COS, SIN = C**2 - S**2, 2 * C * S  # of 2θ
 
 
 def theorem_6(along: Node) -> Node:
-    """Say that Q turns by Rodrigues' formula; ``along`` is its last term, where 1 − cos 2θ is 2s²."""
+    """Return the claim that Q is Rodrigues' formula; ``along`` is its last term, where 1 − cos 2θ is 2s²."""
     turned = COS * V + SIN * W + along
     ends = equal(Q * V * BAR, turned), equal(Q * BAR, 1), equal(BAR * Q, 1)
     return implies(both(ON_CIRCLE, equal(norm(U), 1)), both(*ends))

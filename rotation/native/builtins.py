@@ -1,9 +1,9 @@
-"""Compile the trace of a formula, in a loop over rows, to a builtin function of Python by LLVM.
+"""Compile the trace of a formula, in a loop over rows, to a builtin function of Python, with LLVM.
 
-The function is like those of C extensions. It reads the addresses and lengths of numpy's arrays from their
-headers, whose layout numpy's ABI fixes. It lets numpy allocate the result, and wraps this in an object. So a
-call with one rotation takes less time than Python code needs to inspect the arrays. Long computations release
-the interpreter lock.
+The function is like those of C extensions. It reads the addresses and lengths of numpy arrays from their
+headers, whose layout is fixed by numpy's ABI. It lets numpy allocate the result and wraps this in an object.
+So a call with one rotation takes less time than Python code needs to inspect the arrays. Long computations
+release the interpreter lock.
 """
 
 import ctypes
@@ -47,7 +47,7 @@ K = TypeVar("K")
 
 
 class BuiltinFunction(Protocol):
-    """A compiled function of arrays; None where it computes nothing."""
+    """A compiled function of arrays; None if it computes nothing."""
 
     @overload
     def __call__(self, where: None, /, *arrays: object) -> Array | None: ...
@@ -77,7 +77,7 @@ class _Method(ctypes.Structure):
 
 @cache
 def available() -> bool:
-    """Return whether this interpreter and its numpy have the layout that the machine code expects."""
+    """Return whether this interpreter and its numpy have the memory layout that the machine code expects."""
     if sys.implementation.name != "cpython" or sys.maxsize < 2**62:
         return False
     if not machine_code.available():
@@ -102,14 +102,14 @@ def available() -> bool:
 
 
 def _place(slot: object) -> int:
-    """Return the offset in bytes of a slot in an object, by its descriptor."""
+    """Return the offset in bytes of a slot in an object, from its descriptor."""
     described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
     return int(ctypes.c_ssize_t.from_address(described + 16).value)
 
 
 @cache
 def register_symbols() -> None:
-    """Register functions of the system and of Python for compiled programs; the caller holds the lock."""
+    """Register functions of the system and of Python for compiled programs; the caller must hold the lock."""
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in LIBRARY:
         machine_code.register_symbols(f"rotation_{name}", _address(getattr(system, name)))
@@ -138,15 +138,16 @@ def compile_builtin(
     words: tuple[str, ...],
     slot: object,
 ) -> tuple[BuiltinFunction, Shape, int]:
-    """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
+    """Return a function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
-    ``where`` is None for a new array, or a class, for an object of it that holds that, read-only. The answer
-    is None where nothing was made: the arrays are not such as it reads (numpy's, of the types said, in C
-    order and aligned, each of the same batch or of one row without a batch; a float of Python is an array of
-    no axes), the result has more than `MUCH` numbers, or the formula flagged a row.
-    An array for ``where`` is filled, however many numbers it has; the answer is whether a row was flagged.
+    ``where`` is None for a new array, an array to be filled, or a class for a new object that holds the
+    result read-only. For None and for a class, the function returns None instead of a result in three cases:
+    an array is unsuitable, the result has more than `MUCH` numbers, or the formula flagged a row. Suitable
+    arrays are numpy's, of the given types, in C order and aligned, each with the same batch or with one row
+    and no batch; a Python float counts as an array without axes. An array ``where`` is filled whatever its
+    size, and the function returns whether a row was flagged.
 
-    Second comes the shape of a row of the result, third how many steps eight rows take.
+    The other results are the shape of a row of the result, and the number of steps for eight rows.
 
     Parameters
     ----------
@@ -168,7 +169,7 @@ def compile_builtin(
         entry = Entry(whole, moving, words, _place(slot))
         text = module(block, product(), alike(), _rows(whole, moving, words), entry)
         address = machine_code.compiled(text, "entry")
-    one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
+    one = np.zeros(())  # represents a Python float, whose number is stored elsewhere
     things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
     name = formula.__name__.encode()
     method = _Method(name, address, 0x0080, None, _Known(*things))  # METH_FASTCALL
@@ -190,7 +191,9 @@ def _block(
     single: tuple[int, ...],
     words: tuple[str, ...],
 ) -> tuple[RowFunction, Shape]:
-    """Write the formula for eight rows in one piece; return that, and the shape of a row of the result."""
+    """Write the formula for eight rows as a single block; return the block and the shape of a row of the
+    result.
+    """
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(shapes)))
     program = RowFunction(f"internal i1 @block({pointers}, ptr noalias %out) alwaysinline")
     for n, (shape, word) in enumerate(zip(shapes, words, strict=False)):
@@ -224,7 +227,7 @@ def _block(
         names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]
     moved = next(filter(None, (_rearranged(program, p, names) for p in parted)), None)
     if moved is not None and len(names) < WIDTH:
-        del program.lines[:prefetches]  # so quick that they would take a tenth of its time
+        del program.lines[:prefetches]  # so fast that they would take a tenth of its time
         _store_rows(program, moved, len(names), words[-1])
     else:
         _store(program, names, words[-1])
@@ -236,7 +239,7 @@ def _block(
 
 
 class _Parted(NamedTuple):
-    """Eight rows of an array: all their numbers in one vector, and the columns that it is parted into."""
+    """Eight rows of an array: one vector of all their numbers, and the columns into which it is split."""
 
     word: str
     whole: str
@@ -246,7 +249,7 @@ class _Parted(NamedTuple):
 def _rearranged(program: RowFunction, rows: _Parted, names: list[str]) -> str | None:
     """Return eight rows of values that are columns of an array or their negatives, else None.
 
-    Numbers change places and signs within the vector of all: nothing is parted into columns and joined again.
+    Numbers change places and signs within the single vector, without splitting it into columns.
     """
     own = [program.opposites.get(name, name) for name in names]
     if rows.word != "double" or not set(own) <= set(rows.columns):
@@ -266,7 +269,7 @@ def _rearranged(program: RowFunction, rows: _Parted, names: list[str]) -> str | 
 def _ask_ahead(
     program: RowFunction, start: str, size: int, blocks: int, writing: bool = False
 ) -> None:
-    """Prefetch the memory of eight rows of that many bytes, some blocks of eight ahead."""
+    """Prefetch the memory of eight rows of that many bytes, several blocks of eight ahead."""
     lines = -(-size * WIDTH // 64)
     for line in range(lines):
         program.ahead(program.at("[64 x i8]", start, blocks * lines + line), writing)
@@ -281,7 +284,7 @@ def _shape(values: Values) -> Shape:
 
 
 def _store(program: RowFunction, names: list[str], word: str) -> None:
-    """Emit the stores of columns as rows: blocks of eight, then the rest."""
+    """Emit the stores of columns as rows: blocks of eight, then the remaining columns."""
     width, size, kind = len(names), BYTES[word], vector(word, WIDTH)
     whole = width - width % WIDTH if width >= WIDTH else 0
     if not whole:
@@ -298,7 +301,7 @@ def _store(program: RowFunction, names: list[str], word: str) -> None:
 
 
 def _transposed(program: RowFunction, columns: list[str], kind: str) -> list[str]:
-    """Return eight rows of eight columns, by exchanging halves, quarters and eighths."""
+    """Return the transpose of eight columns, by exchanging halves, quarters and eighths."""
     v = list(columns)
     for d in (1, 2, 4):
         for i in range(WIDTH):
@@ -312,7 +315,7 @@ def _transposed(program: RowFunction, columns: list[str], kind: str) -> list[str
 
 
 def _store_few(program: RowFunction, names: list[str], word: str) -> None:
-    """Write fewer than eight columns, joined in pairs to rows."""
+    """Write fewer than eight columns as rows, joining them in pairs."""
     width = len(names)
     parts = [(n, WIDTH) for n in names]
     while len(parts) > 1:  # the last one may stay over
@@ -333,9 +336,10 @@ def _store_few(program: RowFunction, names: list[str], word: str) -> None:
 
 
 def _store_rows(program: RowFunction, rows: str, width: int, word: str) -> None:
-    """Write eight rows that are one vector, in pieces of 16 bytes, the least that numpy aligns memory to.
+    """Write eight rows stored in one vector, in pieces of 16 bytes, numpy's minimal alignment.
 
-    A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.
+    Copying in pieces that cross the end of a cache line takes twice as long, so LLVM must not merge the
+    pieces.
     """
     length, few = width * WIDTH, 16 // BYTES[word]
     kind = vector(word, length)
@@ -349,11 +353,12 @@ def _store_rows(program: RowFunction, rows: str, width: int, word: str) -> None:
 
 
 def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) -> Code:
-    """Write the function that runs through blocks of eight rows; it returns whether one was flagged.
+    """Write the function that processes blocks of eight rows; it returns whether a row was flagged.
 
-    It takes the number of rows, for each array where its numbers lie and whether it has one row for all,
-    and where to write. The rows left over at the end go through a buffer, as does the one row of an array
-    that is the same for all, but of those that always have one row: the block itself spreads them.
+    Its arguments are the number of rows; for each array the address of its numbers and whether it has one row
+    for all; and the address of the result. The remaining rows at the end go through a buffer, and so does the
+    single row of an array that is shared by all rows. Arrays that always have one row are broadcast by the
+    block itself.
     """
     sizes = [int(np.prod(shape)) for shape in shapes]
     bytes_of = [n * BYTES[word] for n, word in zip(sizes, words, strict=True)]  # of one row
@@ -378,7 +383,7 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
         here = [code.at("i8", f"%in{n}", v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
 
         def filled(n: int, start: str) -> None:
-            spread(n, start)  # so that no row of the buffer is what nobody wrote
+            spread(n, start)  # so that no row of the buffer is uninitialised
             code.copy(buffers[n], start, v(f"mul i64 {left}, {bytes_of[n]}"))
 
         def partly() -> None:

@@ -1,9 +1,9 @@
-"""Sine, cosine and arctangent for eight rows at once, within one ulp, and as pairs.
+"""Sine, cosine and arctangent for eight rows at once, with an error of at most one ulp, and as pairs.
 
-The functions are written against a namespace of symbols, as formulas are. They branch only where the fast
-computation is not accurate: for angles beyond `REACH`, or too near to a multiple of π/2, for points near the
-ends of the range of floats, and for infinities and NaN. Such rows use the functions of the system. W. J. Cody
-and W. Waite, "Software manual for the elementary functions" (1980).
+The functions are written against a namespace of symbols, like formulas. They branch only where the fast
+computation is not accurate: for angles beyond `REACH` or too close to a multiple of π/2, for points near the
+limits of the range of floats, and for infinities and NaN. Such rows use the functions of the system. W. J.
+Cody and W. Waite, "Software manual for the elementary functions" (1980).
 """
 
 import math
@@ -21,13 +21,13 @@ from rotation.native.pairs import (
     two_sum,
 )
 
-# π/2 in three parts of 53 bits. For |n| ≤ 2³⁰ what is left of an angle after n times the first is a float.
+# π/2 in three parts of 53 bits. For |n| ≤ 2³⁰, an angle minus n times the first part is a float.
 REACH = 2.0**30
 TWO_OVER_PI = 2.0 / math.pi
 HALF_PI = tuple(
     map(float.fromhex, ("0x1.921fb54442d18p+0", "0x1.1a62633145c07p-54", "-0x1.f1976b7ed8fbcp-110"))
 )
-SURE = 2.0**-90  # so n·π/2 is known to n·2⁻¹⁶⁰, and what is left to 60 bits if it is above n·SURE
+SURE = 2.0**-90  # so n·π/2 is known to n·2⁻¹⁶⁰, and the remainder to 60 bits if it is above n·SURE
 
 # Minimax polynomials of sine and cosine on [−π/4, π/4] (fdlibm, Sun Microsystems 1993):
 # sin r = r + r³·Σ SINE[k]·r²ᵏ and cos r = 1 − r²/2 + r⁴·Σ COSINE[k]·r²ᵏ.
@@ -62,7 +62,7 @@ ATAN = (
     float.fromhex("0x1.3766d024fb7ddp-5"),
     float.fromhex("-0x1.241072e0880f3p-6"),
 )
-# π/4 with 50 bits, so that up to four of it are exact, and the rest.
+# π/4 with 50 bits, so that up to four times it is exact, and the remainder.
 QUARTER, QUARTER_LOW = float.fromhex("0x1.921fb54442d18p-1"), float.fromhex("0x1.1a62633145c07p-55")
 LOW, HIGH = 2.0**-400, 2.0**400  # between these the error of a quotient is found exactly
 
@@ -70,9 +70,9 @@ LOW, HIGH = 2.0**-400, 2.0**400  # between these the error of a quotient is foun
 def sine_and_cosine(
     xp: SymbolNamespace, a: Array, b: Array | None = None
 ) -> tuple[PairLike, PairLike]:
-    """Return sine and cosine of angles, without b rounded, and 0.
+    """Return rounded sine and cosine of angles, and 0; with b, pairs.
 
-    With b they are those of ``a + b``, b below an ulp of a, as pairs right to about 56 bits.
+    With b (below an ulp of a) they are the sine and cosine of ``a + b`` as pairs, accurate to about 56 bits.
     """
     (s, s_low), (c, c_low), right = near(xp, a, b)
 
@@ -92,7 +92,7 @@ def sine_and_cosine(
 
 
 def near(xp: SymbolNamespace, a: Array, b: Array | None = None) -> tuple[Pair, Pair, Array]:
-    """Return sine and cosine of ``a`` or of ``a + b`` as pairs, and where they are right."""
+    """Return sine and cosine of ``a`` or of ``a + b`` as pairs, and a mask of where they are accurate."""
     k = a * TWO_OVER_PI + xp.ROUND
     n = k - xp.ROUND  # quarters of a turn
     t, (p, p_low) = _rest(xp, a, n), two_product(xp, n, HALF_PI[1])
@@ -107,7 +107,7 @@ def near(xp: SymbolNamespace, a: Array, b: Array | None = None) -> tuple[Pair, P
 
 
 def of_rest(xp: SymbolNamespace, k: Array, r: Array, low: Array) -> tuple[Pair, Pair]:
-    """Return sine and cosine of ``r + low``, an eighth of a turn at most, after k quarters."""
+    """Return sine and cosine of ``r + low``, at most an eighth of a turn, plus k quarter turns."""
     z, z_low = two_product(xp, r, r)
     half = 0.5 * z
     u, u_low = quick_two_sum(1.0, -half)
@@ -134,11 +134,11 @@ def _rest(xp: SymbolNamespace, a: Array, n: Array) -> Array:
 
 
 def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> PairLike:
-    """Return the angle of the point (x, y) in [−π, π] as a pair of 56 bits, or rounded, and 0."""
+    """Return the angle in [−π, π] of the point (x, y), as a pair of 56 bits, or rounded and 0."""
     p, q = xp.abs(y), xp.abs(x)
     steep, back = p > q, x < 0.0
     small, large = xp.where(steep, q, p), xp.where(steep, p, q)
-    # atan(s/l) is π/4 + atan((s − l)/(s + l)) where the quotient is above tan(π/8).
+    # atan(s/l) is π/4 + atan((s − l)/(s + l)) if the quotient is above tan(π/8).
     eighth = small > EIGHTH * large
     d, d_low = quick_two_sum(-large, small)
     w, w_low = quick_two_sum(large, small)

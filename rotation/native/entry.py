@@ -1,4 +1,4 @@
-"""The entry of a compiled formula, a builtin function in LLVM: check arguments, make the result.
+"""The entry of a compiled formula, a builtin function in LLVM: check the arguments, make the result.
 
 `rotation.native.builtins.compile_builtin` documents its arguments and results.
 """
@@ -12,7 +12,7 @@ from hfield.compiling.instructions import Code
 
 MUCH = 200_000  # numbers that are worth asking whether a second thread pays
 HEAD = object.__basicsize__
-KIND = HEAD - 8  # where an object has its class
+KIND = HEAD - 8  # the offset of an object's class
 # Where numpy's header has them:
 DATA, NDIM, LENGTHS, DTYPE, FLAGS = (HEAD + n for n in (0, 8, 16, 40, 48))
 USABLE, WRITEABLE = 0x0001 | 0x0100, 0x0400  # C order, aligned
@@ -53,7 +53,7 @@ class Entry(Code):
         self.answer(where, filling, out, flag, slot)
 
     def require(self, *conditions: str) -> None:
-        """Emit code that returns None, for "nothing was done", unless all conditions hold."""
+        """Emit code that returns None, meaning "nothing was done", unless all conditions hold."""
         self.leave(self.value(f"xor i1 {self.every(*conditions)}, true"), self.nothing)
 
     def every(self, *conditions: str) -> str:
@@ -66,7 +66,7 @@ class Entry(Code):
         return f"ptr {self.none}"
 
     def is_a(self, thing: str, kind: str) -> str:
-        """Return whether a thing is of this class itself."""
+        """Return whether an object is of exactly this class."""
         return self.value(f"icmp eq ptr {self.load('ptr', self.at('i8', thing, KIND))}, {kind}")
 
     def header(self, array: str, word: str) -> tuple[str, str, str]:
@@ -107,7 +107,9 @@ class Entry(Code):
     def common(
         self, axes: list[str], starts: list[str], shapes: list[Shape], moving: list[int]
     ) -> tuple[list[str], str, str, str]:
-        """Return which arrays have one row for all, and rows, axes and lengths of the batch of the others."""
+        """Return which arrays have one row for all, and the rows, axes and lengths of the other arrays'
+        batch.
+        """
         v, right = self.value, list[str]()
         batch, start = axes[moving[0]], starts[moving[0]]
         for n in moving[1:]:
@@ -130,7 +132,7 @@ class Entry(Code):
         return ones, self.once(f"call i64 @product(ptr {start}, i64 {batch})"), batch, start
 
     def new(self, total: str, batch: str, start: str) -> str:
-        """Return a new array for the result, unless it has too many entries or axes."""
+        """Return a new array for the result, or nothing if it would have too many entries or axes."""
         v = self.value
         self.require(
             v(f"icmp sle i64 {total}, {MUCH}"),
@@ -149,7 +151,7 @@ class Entry(Code):
         return made
 
     def answer(self, where: str, filling: str, out: str, flag: str, slot: int) -> None:
-        """Return whether a row was flagged, or the values, or an object that has them."""
+        """Return whether a row was flagged, or the values, or an object that contains them."""
 
         def dropped(result: Callable[[], str]) -> str:
             self.call("void", "Py_DecRef", ("ptr", out))
@@ -173,7 +175,7 @@ class Entry(Code):
 
 
 def product() -> Code:
-    """Emit the function that multiplies lengths, for numbers of rows and of entries."""
+    """Emit the function that multiplies lengths, to count rows and entries."""
     code = Code("internal i64 @product(ptr %lengths, i64 %count)")
 
     def length(i: str, size: str) -> list[str]:

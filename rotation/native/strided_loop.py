@@ -1,11 +1,11 @@
-"""Run a formula in a loop over points at any strides, in blocks that threads share.
+"""Run a formula in a loop over points with any strides, in blocks that threads share.
 
-The loop of `builtins` does not suffice: points have any strides and either precision, and may be rotated in
-place. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are valid, or None
-for everywhere. ``careful(*rows)`` returns them for the other rows. The fast loop is a separate function that
-calls no other, so that its values stay in registers. It returns when one of eight rows is not valid, and is
-called again after the careful form has computed these rows. Eight rows are read before they are written, so
-the result may be an operand.
+The loop of `builtins` is not sufficient, because points may have any strides and either precision, and may be
+rotated in place. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are
+valid, or None for everywhere. ``careful(*rows)`` returns the coordinates of the other rows. The fast loop is
+a separate function that calls no others, so that its values stay in registers. It returns when one of eight
+rows is not valid, and is called again after the careful form has computed these rows. Eight rows are read
+before they are written, so the result may be an operand.
 """
 
 from collections.abc import Callable, Sequence
@@ -17,15 +17,15 @@ from rotation.array_types import Array
 from rotation.native import tracing
 from rotation.native.symbols import WIDTH, LaneMask, Lanes, RowFunction, Rows
 
-BLOCK = 512  # rows at a time; what is copied for a block stays in the nearest cache
+BLOCK = 512  # rows at a time; the data copied for a block stay in the nearest cache
 TAKE = 16  # blocks a thread takes at a time
 LINE = 64  # bytes that a processor fetches at once
 AHEAD = 8 * WIDTH  # rows; so many columns at once are more than a processor foresees
-WRITTEN_AHEAD = 4 * WIDTH  # rows; memory asked for to be written is not fetched twice
+WRITTEN_AHEAD = 4 * WIDTH  # rows; memory requested for writing is not fetched twice
 IN_ORDER = tuple(range(WIDTH))
-# Of eight points side by side the first coordinates lie at these places of three vectors, and the others one
-# and two places on: in this order of the rows they are parted and joined by selecting, which is quicker than
-# moving numbers about.
+# For eight points in memory order, the first coordinates are at these places of three vectors, and
+# the other coordinates one and two places further. In this order of the rows, selection separates
+# and joins coordinates, which is faster than moving numbers.
 BY_PLACES = tuple(3 * place % WIDTH for place in range(WIDTH))
 
 Fast = Callable[..., tuple[tuple[Array, ...], Array | None]]  # formulas on symbols
@@ -33,7 +33,7 @@ Careful = Callable[..., tuple[Array, ...]]
 
 
 def _symbols_of(fast: Fast, rows: Sequence[Rows]) -> tuple[tuple[Lanes, ...], LaneMask | None]:
-    """Run a formula on symbols, which it takes for arrays."""
+    """Run a formula on symbols instead of arrays."""
     return cast("tuple[tuple[Lanes, ...], LaneMask | None]", fast(*rows))
 
 
@@ -60,7 +60,9 @@ class OperandLayout(NamedTuple):
 
     @property
     def step(self) -> int:
-        """The bytes from one row to the next, in memory or in the columns that a block is copied to."""
+        """The number of bytes from one row to the next, in memory or in the columns to which a block is
+        copied.
+        """
         if self.way is RowLayout.SAME:
             return 0
         return self.size * (self.width if self.way is RowLayout.SIDE_BY_SIDE else 1)
@@ -73,10 +75,10 @@ def strided_loop(
     results: int,
     number: str,
 ) -> str:
-    """Emit the function ``entry(counter, table)``, which takes blocks from the counter until none is left.
+    """Emit the function ``entry(counter, table)``, which takes blocks from the counter until none remain.
 
-    The table is of 64-bit integers: the outer and the inner length of the batch, then for each operand its
-    address and its strides in bytes, between components, along the outer and along the inner axis.
+    The table consists of 64-bit integers: the outer and the inner length of the batch, then for each operand
+    its address and its strides in bytes between components, along the outer axis and along the inner axis.
     The function returns whether the careful form flagged a row.
 
     Parameters
@@ -84,7 +86,7 @@ def strided_loop(
     operands : tuple of `OperandLayout`
         Those that are read, then the one that is written.
     results : int
-        How many operands are written: 1, or 0 where the formula only tells.
+        The number of operands that are written: 1, or 0 if the formula only returns a flag.
     number : str
         What is computed with: ``double`` or ``float``.
     """
@@ -105,7 +107,7 @@ def _given(operands: Sequence[object]) -> str:
 def _stretch(
     fast: Fast, operands: tuple[OperandLayout, ...], results: int, number: str
 ) -> RowFunction:
-    """Write the fast loop from row ``first`` on: it returns the row where one is not right, else ``end``."""
+    """Write the fast loop that starts at row ``first``; it returns the first invalid row, else ``end``."""
     head = f"internal i64 @stretch(i64 %first, i64 %end{_given(operands)}) noinline"
     program = RowFunction(head, number, fused=True)
     columns = [_columns(program, n, operand) for n, operand in enumerate(operands)]
@@ -161,9 +163,9 @@ def _eight(
 
 
 def _few(operands: tuple[OperandLayout, ...], results: int) -> Code:
-    """Write the function that does up to eight rows of whatever kind through a buffer.
+    """Write the function that processes up to eight rows of any kind through a buffer.
 
-    The last one is repeated to fill up, so that each row is computed as in any other place.
+    The last row is repeated to fill the buffer, so that each row is computed as in any other position.
     """
     code = Code(f"internal i1 @few(i64 %first, i64 %m{_given(operands)}) noinline")
     last = code.value("sub i64 %m, 1")
@@ -183,7 +185,7 @@ def _few(operands: tuple[OperandLayout, ...], results: int) -> Code:
 
 
 def _entry(operands: tuple[OperandLayout, ...], results: int) -> Code:
-    """Write the walk over the blocks."""
+    """Write the iteration over the blocks."""
     code = Code("i64 @entry(ptr %counter, ptr %table)")
     v = code.value
     outer, inner, *places = code.entries("i64", "%table", 2 + 4 * len(operands))
@@ -252,9 +254,9 @@ def _entry(operands: tuple[OperandLayout, ...], results: int) -> Code:
 
 
 def _copy(size: int) -> Code:
-    """Write the function that copies columns of numbers of ``size`` bytes; strides are in bytes.
+    """Write the function that copies columns of numbers of ``size`` bytes, with strides in bytes.
 
-    Rows after ``last`` are copies of that one.
+    Rows after ``last`` are copies of row ``last``.
     """
     strides = "ptr %to, i64 %to_column, i64 %to_row, ptr %from, i64 %from_column, i64 %from_row"
     code = Code(f"internal void @copy{size}({strides}, i64 %width, i64 %rows, i64 %last) noinline")
@@ -307,7 +309,7 @@ def _read(
     i: str,
     order: tuple[int, ...] = IN_ORDER,
 ) -> Rows:
-    """Add the reading of eight rows from row ``i`` on, in this order."""
+    """Emit the reading of eight rows that start at row ``i``, in the given order."""
     kind = vector(operand.number, WIDTH)
     if operand.way is RowLayout.SAME:
         numbers = columns
@@ -376,7 +378,7 @@ def _parted(
 
 
 def _column(program: RowFunction, kind: str, parts: list[str], k: int) -> str:
-    """Return every n-th number of n vectors, from number k on, gathered part after part."""
+    """Return every n-th number of n vectors, starting with number k, collected vector by vector."""
     n = len(parts)
     column, found = parts[0], list(range(k, WIDTH, n))
     for number, part in enumerate(parts[1:], 1):
@@ -388,10 +390,10 @@ def _column(program: RowFunction, kind: str, parts: list[str], k: int) -> str:
 
 
 def _selected(program: RowFunction, kind: str, three: Sequence[str], k: int) -> str:
-    """Return the vector whose lane p is that of the ((p − k) mod 3)-th of three vectors.
+    """Return the vector whose lane p is the lane of vector number (p − k) mod 3 of three vectors.
 
-    Of components side by side the k-th lies at the places p of the part p − k; the part k has at p the
-    component p − k.
+    If components are adjacent, component k lies at those positions p that are p − k in its part; part k has
+    at p the component p − k.
     """
     a, b, c = three
     one = [place + WIDTH * ((place - k) % 3 == 1) for place in range(WIDTH)]
@@ -400,7 +402,7 @@ def _selected(program: RowFunction, kind: str, three: Sequence[str], k: int) -> 
 
 
 def _turned(k: int) -> tuple[int, ...]:
-    """Return the places of a vector from the k-th on."""
+    """Return the positions of a vector, rotated to begin with the k-th."""
     return tuple((place + k) % WIDTH for place in range(WIDTH))
 
 
@@ -412,7 +414,7 @@ def _write(
     i: str,
     order: tuple[int, ...] = IN_ORDER,
 ) -> None:
-    """Add the writing of three coordinates of eight rows."""
+    """Emit the writing of three coordinates of eight rows."""
     number = operand.number
     kind = vector(number, WIDTH)
     numbers = [_converted(program, x.name, program.number, number) for x in image]

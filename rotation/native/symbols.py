@@ -1,8 +1,8 @@
 """Symbols for the numbers of a formula: operations on them emit LLVM code.
 
-A `Lanes` is one coordinate of eight rows, a vector of eight numbers. Every operator adds a line to the
-code, in LLVM's notation. Operations are not reordered, and fused only in a program that is `fused`. So
-programs round as numpy does, operation by operation.
+A `Lanes` is one coordinate of eight rows, a vector of eight numbers. Every operator appends a line of LLVM
+code. Operations are not reordered, and are fused only in a program that is `fused`. So programs round like
+numpy, operation by operation.
 """
 
 from collections.abc import Callable, Iterable
@@ -24,13 +24,13 @@ class RowFunction(Code):
     Parameters
     ----------
     head : str
-        What stands before its body.
+        The text before its body.
     number : str
         LLVM's word for the numbers that are computed with: ``double`` or ``float``.
     fused : bool
-        Whether a product and a sum may be rounded at once, where the processor does that.
+        Whether a product and a sum may be rounded in one step, if the processor supports it.
     width : int
-        How many rows go together.
+        The number of rows that are processed together.
     """
 
     def __init__(
@@ -40,18 +40,18 @@ class RowFunction(Code):
         self.number, self.width = number, width
         self.kind, self.bits = vector(number, width), vector("i1", width)
         self.flags = " contract" if fused else ""
-        self.opposites: dict[str, str] = {}  # of which value a value is the negative
+        self.opposites: dict[str, str] = {}  # maps a value to the value of which it is the negative
 
     def constant(self, number: float) -> str:
         """Return a number in every row, exactly."""
         return alike(self.number, floating(number, "double"), self.width)
 
     def name_of(self, value: "Lanes | float") -> str:
-        """Return how a value is written: lanes by their name, a number in every row."""
+        """Return the notation of a value: the name of lanes, or a number in every row."""
         return value.name if isinstance(value, Lanes) else self.constant(float(value))
 
     def some(self, condition: str) -> str:
-        """Add lines that find whether a condition holds in a row at least; return their result's name."""
+        """Emit a test whether a condition holds in at least one row; return the name of its result."""
         bits = self.value(f"bitcast {self.bits} {condition} to i{self.width}")
         return self.value(f"icmp ne i{self.width} {bits}, 0")
 
@@ -94,7 +94,7 @@ class Lanes:
         if not isinstance(other, Lanes):
             if (
                 type(other) is int and other == 0 and operation != "fdiv"
-            ):  # it is nothing, and no float
+            ):  # an exact zero, not a float
                 if operation == "fmul":
                     return 0  # type: ignore[return-value]
                 return -self if swapped and operation == "fsub" else self
@@ -211,7 +211,7 @@ class Rows:
 
 
 def intrinsic(name: str, *values: "Lanes | float") -> Lanes:
-    """Call an LLVM intrinsic for all rows."""
+    """Call an LLVM intrinsic on all rows."""
     program = _program(*values)
     called = f"llvm.{name}.v{program.width}{_WORDS[program.number]}"
     arguments = ((program.kind, program.name_of(v)) for v in values)
@@ -219,7 +219,7 @@ def intrinsic(name: str, *values: "Lanes | float") -> Lanes:
 
 
 def library(name: str, *values: "Lanes | float") -> Lanes:
-    """Call a function of the system's mathematics for each row."""
+    """Call a function of the system's math library on each row."""
     program = _program(*values)
     kind = program.kind
     found = "poison"

@@ -1,7 +1,7 @@
-"""Read tensors of torch as numpy arrays, where gradients and devices are not concerned.
+"""Read torch tensors as numpy arrays, if gradients and devices allow it.
 
-For tensors in CPU memory a compiled formula takes a tenth of the time of the same formula in steps of torch.
-It can be used for tensors that need no gradient and that torch is not tracing or mapping.
+For tensors in CPU memory a compiled formula takes a tenth of the time of the same formula in torch
+operations. It can be used for tensors that need no gradient and that torch is not tracing or mapping.
 """
 
 import sys
@@ -14,7 +14,7 @@ from rotation.array_types import Array
 
 
 class Tensor(Protocol):
-    """A tensor of torch, as far as it is used here."""
+    """The part of torch's tensor interface that is used here."""
 
     dtype: object
     device: "Device"
@@ -31,13 +31,13 @@ class Tensor(Protocol):
 
 
 class Device(Protocol):
-    """Where the numbers of a tensor lie."""
+    """The device on which the numbers of a tensor are stored."""
 
     type: str
 
 
 def readable(arrays: Sequence[Tensor] | Sequence[Array]) -> TypeGuard[tuple[Tensor, ...]]:
-    """Return whether all are plain tensors of one float type in memory that numpy reads."""
+    """Return whether all are plain tensors of one float type in memory that numpy can read."""
     torch = sys.modules.get("torch")
     if torch is None or any(type(a) is not torch.Tensor for a in arrays):
         return False
@@ -45,7 +45,7 @@ def readable(arrays: Sequence[Tensor] | Sequence[Array]) -> TypeGuard[tuple[Tens
     kind = tensors[0].dtype
     if kind not in (torch.float32, torch.float64) or torch.compiler.is_compiling():
         return False
-    inside = torch._C  # what maps, traces or differentiates forward has no public sign
+    inside = torch._C  # mapping, tracing and forward differentiation leave no public sign
     forward = torch.autograd.forward_ad._current_level >= 0
     if torch.jit.is_tracing() or inside._len_torch_dispatch_stack() or forward:
         return False
@@ -61,7 +61,7 @@ def readable(arrays: Sequence[Tensor] | Sequence[Array]) -> TypeGuard[tuple[Tens
 
 
 def like(tensor: Tensor, values: Array) -> Array:
-    """Return numbers of numpy as a tensor of the type of another."""
+    """Return numpy numbers as a tensor of the same type as another."""
     torch = sys.modules["torch"]
     converted: Array = torch.from_numpy(np.asarray(values)).to(tensor.dtype)
     return converted

@@ -1,8 +1,8 @@
 """A namespace of symbolic arrays that records a formula as a program for LLVM.
 
-The functions here add lines to the program of their arguments, like the operators of `symbols`. In `fma` a
-product and a sum are rounded once. Conditions select between two values; only code in `rarely` is skipped by
-a branch.
+The functions here append lines to the program of their arguments, like the operators of `symbols`. In `fma` a
+product and a sum are rounded once. Conditions select between two values; only the code in `rarely` is skipped
+by a branch.
 """
 
 import math
@@ -32,16 +32,16 @@ nan = math.nan
 Number = Lanes | float
 Values = TypeVar("Values")
 NAMESPACE = cast(SymbolNamespace, sys.modules[__name__])
-ROUND = 1.5 * 2.0**52  # what is added to it loses its fraction
+ROUND = 1.5 * 2.0**52  # a number added to it loses its fractional part
 
 
 def as_arrays(lanes: Iterable[Lanes]) -> tuple[Array, ...]:
-    """Return symbols by the type that formulas name, that of arrays."""
+    """Return symbols, typed as arrays for formulas."""
     return cast("tuple[Array, ...]", tuple(lanes))
 
 
 def as_lanes(values: Iterable[Array]) -> tuple[Lanes, ...]:
-    """Return what a formula computed with symbols by the type of symbols."""
+    """Return the results of a formula computed with symbols, typed as symbols."""
     return cast("tuple[Lanes, ...]", tuple(values))
 
 
@@ -81,7 +81,7 @@ def cos(x: Array) -> Array:
 
 
 def round(x: Lanes) -> Lanes:
-    """Return the nearest whole numbers of numbers below 2⁵¹; ties go to the even one."""
+    """Return the nearest integers of numbers below 2⁵¹; ties go to the even integer."""
     return (x + ROUND) - ROUND
 
 
@@ -96,7 +96,7 @@ def atan2(y: Array, x: Array) -> Array:
 
 
 def remainder(x: Number, y: Number) -> Lanes:
-    """Return ``x`` modulo ``y`` for numbers that are not negative."""
+    """Return ``x`` modulo ``y`` for nonnegative numbers."""
     return library("fmod", x, y)
 
 
@@ -116,7 +116,7 @@ def maximum(x: Lanes, y: Number) -> Lanes:
 
 
 def isfinite(x: Lanes | Rows) -> LaneMask | list[LaneMask]:
-    """Return where numbers are finite; for `Rows` a list of that."""
+    """Return where numbers are finite; for `Rows`, as a list."""
     if isinstance(x, Rows):
         return [abs(v) < math.inf for v in x.values]
     return abs(x) < math.inf
@@ -142,7 +142,7 @@ def bit(x: Lanes, number: int) -> LaneMask:
 def rarely(
     condition: LaneMask, compute: Callable[[], tuple[Lanes, ...]], usual: tuple[Lanes, ...]
 ) -> tuple[Lanes, ...]:
-    """Return ``compute()`` where the condition holds in one of the rows at least, else ``usual``."""
+    """Return ``compute()`` if the condition holds in at least one row, else ``usual``."""
     return condition.program.rarely(condition.name, compute, usual)
 
 
@@ -152,7 +152,7 @@ def flag_if(condition: LaneMask) -> None:
 
 
 def round_all(x: Lanes) -> None:
-    """Disallow implicit fused multiply-adds from here on, since some differences have to be exact."""
+    """Disallow implicit fused multiply-adds from here on, because some differences must be exact."""
     x.program.flags = ""
 
 
@@ -177,7 +177,7 @@ def zeros_like(values: Lanes) -> Lanes:
 
 
 def broadcast_arrays(*values: Number) -> tuple[Number, ...]:
-    """Return the values: numbers and rows go together as they are."""
+    """Return the values unchanged: numbers and rows can be combined directly."""
     return values
 
 

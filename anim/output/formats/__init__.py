@@ -1,4 +1,4 @@
-"""The formats of films, one module each, named as the suffix, with a ``FORMAT``."""
+"""The formats of films, one module each, named after the suffix, with an object ``FORMAT``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A moving PNG, without loss."""
+"""Lossless animated PNG."""
 
 from anim.output.encoder import Encoded
 from anim.output.format import Film
@@ -8,7 +8,7 @@ class Apng(Encoded):
     """Animated PNG: lossless."""
 
     def options(self, film: Film) -> list[str]:
-        """Return ffmpeg's options; it plays for ever."""
+        """Return ffmpeg's options; the animation repeats forever."""
         return ["-f", "apng", "-pred", "mixed", "-plays", "0"]
 
 

@@ -1,4 +1,4 @@
-"""A moving picture of 256 colours."""
+"""Animated GIF with 256 colours."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,10 +14,10 @@ DITHERED = "[0][1]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
 
 
 class Gif(Encoded):
-    """One palette for the whole film, from frames all over it."""
+    """A GIF with a single palette, computed from frames of the whole film."""
 
     def check(self, film: Film) -> None:
-        """Raise :class:`AnimationError` for a frame rate that browsers do not keep."""
+        """Raise :class:`AnimationError` for a frame rate that browsers do not support."""
         if film.fps > FASTEST_FPS:
             raise AnimationError(
                 f"a gif shows at most {FASTEST_FPS:g} frames a second, not {film.fps:g}; "
@@ -31,7 +31,7 @@ class Gif(Encoded):
 
     @contextmanager
     def open(self, path: Path, film: Film, samples: Samples | None) -> Iterator[Write]:
-        """Yield a function that sends a frame to ffmpeg; ffmpeg reads the palette from a picture."""
+        """Yield a function that sends a frame to ffmpeg, which reads the palette from a picture."""
         palette = path.with_suffix(".palette.png")
         try:
             write_palette(palette, samples() if samples else ())

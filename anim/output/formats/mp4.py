@@ -8,21 +8,21 @@ from anim.errors import AnimationError
 from anim.output.encoder import Encoded
 from anim.output.format import Film, Pixels
 
-# Tagged, so that players show the colours that were drawn, and ffmpeg converts nothing.
+# Tagged, so that players show the colours as drawn and ffmpeg converts nothing.
 TAGS = [word for name in ("space", "_primaries", "_trc") for word in (f"-color{name}", "bt709")]
 TAGS += ["-color_range", "tv"]
 
-# The bands' edges are of strong colours, and lose more by coarse chroma than by anything else. In small
-# pictures four pixels are too large for one chroma: they keep all of it (4:4:4).
+# The edges of the bands have strong colours and suffer most from coarse chroma. In small pictures
+# four pixels are too many to share one chroma value; these keep full chroma (4:4:4).
 FINER_CHROMA = -6
 LARGE_PICTURE_PIXELS = 640 * 480
 
 
 class Mp4(Encoded):
-    """H.264, its index in front so that it plays while it loads."""
+    """H.264 with the index at the front, so that it plays while it loads."""
 
     def check(self, film: Film) -> None:
-        """Refuse an odd width or height."""
+        """Raise for an odd width or height."""
         width, height = film.size
         if width % 2 or height % 2:
             raise AnimationError(

@@ -8,7 +8,7 @@ LARGEST_SIDE = 16_383
 
 
 class WebP(Encoded):
-    """Animated WebP: lossy, repeated without end."""
+    """Animated WebP: lossy, repeated forever."""
 
     counts_frames = False
 
@@ -19,7 +19,7 @@ class WebP(Encoded):
         super().check(film)
 
     def options(self, film: Film) -> list[str]:
-        """Return libwebp's options; quality 100 is the best, 85 or so looks like mp4 of crf 18."""
+        """Return libwebp's options; quality 100 is the best, and about 85 corresponds to mp4 with crf 18."""
         quality = str(round(100 - 0.8 * film.crf))
         return ["-c:v", "libwebp_anim", "-quality", quality, "-loop", "0", "-f", "webp"]
 

@@ -1,4 +1,4 @@
-"""The styles in which the top can be drawn, one module each, with a ``STYLE``."""
+"""The styles of drawing, one module each, with an object ``STYLE``."""
 
 from __future__ import annotations
 

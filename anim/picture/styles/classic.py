@@ -1,8 +1,8 @@
 """Matplotlib's three-dimensional axes, as in the thesis.
 
-They are drawn once, as a background.
+The axes are drawn once, as a background.
 
-The axes bring their own projection, which the top, its shadow and its trace then share.
+The axes have their own projection, which the top, its shadow and its path share.
 """
 
 from math import hypot
@@ -55,7 +55,7 @@ def axes_and_view(model: Model, settings: RenderSettings, paper: RGB) -> tuple[V
 
 
 def _set_up(axes: "Axes3D", model: Model, settings: RenderSettings, there: Floats) -> None:
-    """Set camera, limits, names and letters; one unit is as long on every axis."""
+    """Set camera, limits, labels and fonts; the unit has the same length on every axis."""
     from matplotlib.ticker import MaxNLocator
 
     camera = settings.camera
@@ -82,7 +82,7 @@ def _set_up(axes: "Axes3D", model: Model, settings: RenderSettings, there: Float
 
 
 def _fit(axes: "Axes3D", settings: RenderSettings, there: Floats) -> None:
-    """Place the axes so that their box and the leaning top fill the picture."""
+    """Place the axes so that their box and the tilted top fill the picture."""
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
     seen = view_of(axes).project(np.concatenate([there, np.array(box)]))
@@ -97,7 +97,7 @@ def _fit(axes: "Axes3D", settings: RenderSettings, there: Floats) -> None:
 
 
 def view_of(axes: "Axes3D") -> View:
-    """Return the axes' projection into pixels from the lower left corner."""
+    """Return the axes' projection to pixels, measured from the lower left corner."""
     axes.apply_aspect()
     affine = axes.transData.get_matrix()
     place = np.eye(4)

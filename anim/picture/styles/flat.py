@@ -1,6 +1,6 @@
-"""Even colours, without light.
+"""Uniform colours, without lighting.
 
-The merged outlines of the visible faces, filled in the derived order.
+The merged outlines of the visible faces are filled in drawing order.
 """
 
 from itertools import pairwise
@@ -35,7 +35,7 @@ def tinted(colours: tuple[RGB, RGB], mesh: Mesh) -> list[tuple[RGB, RGB]]:
     """Return the two colours of each piece; neighbouring pieces differ in lightness."""
 
     def tone(channel: int, share: float) -> int:
-        # Black cannot darken: a quarter of the light goes to it whatever the piece.
+        # Black cannot get darker, so every piece receives a quarter of the light.
         base = channel + 0.14 * (255 - channel) * (channel < 60)
         return round(base + share * (255 - base) * 0.7 if share > 0 else base * (1 + share))
 
@@ -48,7 +48,7 @@ def tinted(colours: tuple[RGB, RGB], mesh: Mesh) -> list[tuple[RGB, RGB]]:
 
 
 class FlatBody:
-    """The top in even colours: ``colours`` are two for each of the pieces."""
+    """The top in uniform colours; ``colours`` has two for each piece."""
 
     def __init__(self, mesh: Mesh, colours: list[tuple[RGB, RGB]]) -> None:
         self._points = mesh.points
@@ -60,7 +60,7 @@ class FlatBody:
         self._colours = colours
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view in the axes of the top; no light falls on it."""
+        """Draw the top without lighting; ``view`` is the view in the axes of the top."""
         seen, middles = view.project(self._points), view.project(self._middles)
         order = drawing_order(view.eye, self._heights)
         canvas.touch(seen, 0)
@@ -78,7 +78,7 @@ class FlatBody:
 
 
 class Flat(Style):
-    """Even colours; pieces differ in lightness."""
+    """Uniform colours; pieces differ in lightness."""
 
     def body(
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings

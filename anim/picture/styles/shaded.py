@@ -1,6 +1,6 @@
-"""Smooth cones in the light, on a ground with a soft shadow.
+"""Smooth lit cones, on a ground with a soft shadow.
 
-Every edge by the area that it leaves of a pixel, averaged in linear light.
+Edges are antialiased by the exact area that they cover in a pixel, averaged in linear light.
 """
 
 import numpy as np
@@ -34,7 +34,7 @@ MIN_SMOOTH_COSINE = np.cos(np.radians(25))
 
 
 class ShadedBody:
-    """The top under a light that is far away in the direction ``light`` (3,), a unit vector."""
+    """The top under a distant light in the direction ``light`` (3,), a unit vector."""
 
     def __init__(
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, smooth: bool, dark: float
@@ -56,21 +56,21 @@ class ShadedBody:
         self._encoded = _encoding()
 
     def draw(self, canvas: Surface, view: View, rotation: Floats) -> None:
-        """Draw the top as ``view`` sees it, a view in the axes of the top, which ``rotation`` has turned."""
+        """Draw the top with attitude ``rotation``; ``view`` is the view in the axes of the top."""
         self._paint(canvas, [view], [rotation], self.paints)
 
     def expose(
         self, canvas: Surface, views: list[View], rotations: list[Floats], spin: float
     ) -> None:
-        """Draw the mean of moments between which the top turns by ``spin`` radians in all.
+        """Draw the mean of several moments during which the top rotates by ``spin`` radians in total.
 
-        What the bands turn from one moment to the next is spread over their colours: no steps are seen.
+        The rotation of the bands between moments is blended in their colours, so no steps are visible.
         """
         paints = self._spread(spin / max(1, len(views) - 1))
         self._paint(canvas, views, rotations, paints)
 
     def _spread(self, window: float) -> Floats:
-        """Return the paints of the faces, each the mean over its own width and ``window`` radians more."""
+        """Return the paints of the faces, each averaged over its own width plus ``window`` radians."""
         angles, keys = self._mesh.angles, self._mesh.keys
         dark = np.append(0.0, np.cumsum(np.diff(angles) * keys))
         half = (np.diff(angles) + abs(window)) / 2
@@ -117,7 +117,7 @@ class ShadedBody:
             outline(canvas.pixels, self._covered, box, reach, self._outline, EDGE_LIGHT)
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
-        """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
+        """Return, for each normal, the share of the own colour and of white reflected to the eye."""
         light, numbers = self.light @ rotation, environment()["light"]
         up, towards = self._normals @ rotation[2], view.eye[:3] / np.linalg.norm(view.eye[:3])
         half = self._window @ rotation + towards
@@ -130,11 +130,11 @@ class ShadedBody:
 
 
 def _normals(mesh: Mesh) -> tuple[Indices, Floats]:
-    """Return which normal each corner of the mesh's triangles (m, 3) has, and the normals (k, 3).
+    """Return the index of the normal at each corner of the mesh's triangles (m, 3), and the normals (k, 3).
 
-    A cone has one normal along each of its straight lines; at tip and apex each triangle has that of its own
-    middle. Where two pieces meet at a small angle, as those of a curved outline do, they share the mean of
-    their normals, and no edge is seen.
+    A cone has one normal along each of its straight lines; at tip and apex each triangle has the normal at
+    its own centre. If two pieces meet at a small angle, as in a curved outline, they share the mean of their
+    normals, so no edge is visible.
     """
     n, pieces = mesh.ring, len(mesh.groups)
     here = np.arange(n)
@@ -152,7 +152,7 @@ def _normals(mesh: Mesh) -> tuple[Indices, Floats]:
     normals: list[Floats] = []
 
     def block(slope: Floats, angles: Floats) -> Indices:
-        """Return the indices of the normals of a slope at angles round it."""
+        """Return the indices of the normals of a slope at the angles around it."""
         key = (float(slope[0]), float(slope[1]), angles is middles)
         if key not in blocks:
             blocks[key] = len(normals)
@@ -183,7 +183,7 @@ def _encoding() -> Pixels:
 
 
 class Shaded(Style):
-    """Lit cones on a lit ground; on dark paper a pool of light and a bright rim."""
+    """Lit cones on lit ground; on dark paper, a pool of light and a bright rim."""
 
     def paper_of(self, settings: RenderSettings) -> RGB:
         """Return the background of the settings, or the paper of the environment."""
@@ -195,7 +195,7 @@ class Shaded(Style):
         return seen, LitSurface(seen, settings, self.paper_of(settings))
 
     def shadow(self, mesh: Mesh, light: Floats, view: View, settings: RenderSettings) -> SoftShadow:
-        """Return a shadow that is soft away from what throws it."""
+        """Return a shadow that becomes softer away from the object that casts it."""
         return SoftShadow(mesh.profile, light, view)
 
     def body(

@@ -1,7 +1,7 @@
 """Properties of algebras and elements, as functions of the ring, the constants (a, t, b) and coordinates.
 
-The classes of algebras and elements call these functions. ``docs/reference/structure.md`` says which module
-decides what.
+The classes of algebras and elements call these functions. ``docs/reference/structure.md`` lists the module
+for each question.
 """
 
 import lazy_loader

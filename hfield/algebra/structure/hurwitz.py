@@ -1,9 +1,9 @@
 """Division with remainder and greatest common divisors in the Hurwitz order, and sums of four squares.
 
-Every rational quaternion lies within norm 1/2 of a Hurwitz quaternion, so the order is Euclidean on
-both sides (Conway and Smith, *On Quaternions and Octonions*, chapter 5). For odd n with
-``x² + y² + 1 ≡ 0 (mod n)`` the right common divisor of n and ``1 + x·i + y·j`` has norm n: Lagrange's
-theorem, made effective by taking x² + y² a prime (Rabin and Shallit, 1986).
+Every rational quaternion has distance of norm at most 1/2 from a Hurwitz quaternion, so the order is
+Euclidean on both sides (Conway and Smith, *On Quaternions and Octonions*, chapter 5). For odd n with ``x² +
+y² + 1 ≡ 0 (mod n)``, the right greatest common divisor of n and ``1 + x·i + y·j`` has norm n. This proves
+Lagrange's theorem, effectively if x² + y² is chosen to be a prime (Rabin and Shallit, 1986).
 """
 
 import itertools
@@ -31,7 +31,7 @@ def is_hurwitz(q: Sequence[Fraction | int]) -> bool:
 
 
 def nearest(q: Sequence[Fraction | int]) -> Vector:
-    """Return the nearest Hurwitz quaternion; the distance has norm at most 1/2."""
+    """Return the nearest Hurwitz quaternion; the difference has norm at most 1/2."""
     v = _vector(q)
     h = Fraction(1, 2)
     whole = _vector([round(x) for x in v])
@@ -81,7 +81,7 @@ def _checked(q: Sequence[Fraction | int]) -> Vector:
 
 
 def lipschitz_associate(q: Sequence[Fraction | int]) -> Vector:
-    """Return q times a unit, with integer coordinates: every Hurwitz quaternion has such an associate."""
+    """Return q times a unit with integer coordinates; every Hurwitz quaternion has such an associate."""
     v = _checked(q)
     h = Fraction(1, 2)
     for signs in itertools.product((h, -h), repeat=4):

@@ -24,7 +24,7 @@ Shown = tuple[str, bool, str]
 
 @cache
 def checks() -> Mapping[Shown, Check]:
-    """Return how each kind of evidence is checked for each verdict; no kind is checked in two ways."""
+    """Return the check for each kind of evidence and verdict; no kind has two checks."""
     found: dict[Shown, Check] = {}
     for name in sorted(module.name for module in iter_modules(__path__)):
         own: Mapping[Shown, Check] = import_module(f"{__name__}.{name}").CHECKS
@@ -36,7 +36,7 @@ def checks() -> Mapping[Shown, Check]:
 def establish(
     statement: Statement, setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Check the evidence for a verdict on a statement; return what it shows."""
+    """Check the evidence for a verdict on a statement; return the result."""
     kind = kind_of(evidence)
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")

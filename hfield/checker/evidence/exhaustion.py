@@ -31,7 +31,7 @@ def evaluator_at(
     statement: Statement,
     values: Mapping[str, E | Quaternion[E]],
 ) -> Evaluator[E, bool]:
-    """Return the evaluator with values for unknowns."""
+    """Return the evaluator with these values of the unknowns."""
     known: dict[Tree, E | Quaternion[E]] = {**ring.named_elements(statement.constants)}
     known.update((("name", name), value) for name, value in values.items())
     return Evaluator(RingScalars(ring), setting.constants, known)
@@ -43,7 +43,7 @@ def truth_at(
     statement: Statement,
     values: Mapping[str, E | Quaternion[E]],
 ) -> bool | None:
-    """Return whether the statement is true there; None where the algebra does not exist."""
+    """Return whether the statement is true at these values; None if the algebra does not exist."""
     spend(COST)
     evaluator = evaluator_at(ring, setting, statement, values)
     return None if evaluator.conditions else bool(evaluator.truth(statement.matrix))
@@ -55,7 +55,7 @@ def coordinates(unknowns: tuple[tuple[str, str], ...]) -> int:
 
 
 def check_all(statement: Statement, setting: Setting, cases: int) -> None:
-    """Check a statement without quantifiers for all values of its unknowns."""
+    """Check a quantifier-free statement for all values of its unknowns."""
     ring, order = _finite(setting)
     total, by_clauses = (
         order ** coordinates(statement.unknowns),
@@ -79,7 +79,7 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
 
 
 def check_exists(statement: Statement, setting: Setting, cases: int) -> None:
-    """Check that for all given values there are values of the variables of ``exists``."""
+    """Check that for all given values there are values of the variables bound by ``exists``."""
     ring, order = _finite(setting)
     if cases != order ** coordinates(statement.given):
         reject("the number of cases is wrong")
@@ -120,7 +120,7 @@ def places(
 
 
 class _Tree:
-    """A search tree over the values of the coordinates, pruned where all clauses are decided."""
+    """A search tree over the values of the coordinates, pruned at nodes at which all clauses are decided."""
 
     def __init__(self, expansion: Expansion, ring: AnyRing) -> None:
         self.ring = ring
@@ -157,7 +157,7 @@ class _Tree:
             self._try(depth + 1, rest)
 
     def _settled(self, case: Case) -> bool:
-        """Return whether a clause is true whatever the other coordinates are."""
+        """Return whether a clause is true for all values of the other coordinates."""
         zeros, goals = case
         return any(set(z) == {ONE} for z in zeros) or any(not any(goal) for goal in goals)
 
@@ -181,7 +181,7 @@ class _Tree:
 
 
 def exhaustion(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show a statement over a finite ring by all cases."""
+    """Prove a statement over a finite ring by trying all cases."""
     data = an_object(evidence, "kind cases", "the evidence")
     check = check_exists if statement.exists else check_all
     check(statement, setting, an_integer(data["cases"], "cases", 1))

@@ -22,14 +22,14 @@ MAX_CASES = 64
 
 
 def terms(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show existence by terms: the statement with these terms is true for all given values."""
+    """Prove existence by terms: the statement with these terms is true for all given values."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
     return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
 
 
 def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show existence by terms of its own for each of some cases, one of which always holds."""
+    """Prove existence by cases, one of which always holds; each case has its own terms."""
     data = an_object(evidence, "kind cases cover", "the evidence")
     entries = a_list(data["cases"], "cases", 1)
     if len(entries) > MAX_CASES:
@@ -53,7 +53,7 @@ def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResu
 
 
 def _put_in(raw: object, statement: Statement, setting: Setting) -> Tree:
-    """Return the statement with terms for the names that "exists" binds.
+    """Return the statement with the names bound by "exists" replaced by terms.
 
     Every comparison with an undefined term is false. So a term that may be undefined is allowed if the
     conclusion is built from comparisons by "and" and "or" alone. Otherwise the statement gets the further
@@ -89,7 +89,7 @@ def _is_monotone(tree: Tree) -> bool:
 
 
 def none_exists(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Refute existence: the statement is true for no values. All other unknowns must have values."""
+    """Refute existence: the statement is false for all values. All other unknowns must have values."""
     here, data = _somewhere(statement, setting, evidence, "kind proof")
     if statement.given:
         reject("nothing is said about the unknowns that are given")
@@ -97,7 +97,7 @@ def none_exists(statement: Statement, setting: Setting, evidence: object) -> Che
 
 
 def place(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Refute existence at values of the other unknowns, letters of the algebra among them."""
+    """Refute existence at values of the other unknowns, which include letters of the algebra."""
     here, data = _somewhere(statement, setting, evidence, "kind values proof")
     assert here.field is not None
     values = trees_of_values(here.field, data["values"], statement.given)
@@ -112,7 +112,7 @@ def place(statement: Statement, setting: Setting, evidence: object) -> CheckResu
 def _somewhere(
     statement: Statement, setting: Setting, evidence: object, keys: str
 ) -> tuple[Setting, Mapping[str, object]]:
-    """Return the setting over one field: that of the certificate, or that which the evidence names."""
+    """Return the setting over one field: that of the certificate, or one that the evidence names."""
     if setting.field is not None:
         return setting, an_object(evidence, keys, "the evidence")
     data = an_object(evidence, f"{keys} ring", "the evidence")

@@ -8,7 +8,7 @@ from hfield.checker.statement import Setting, Statement
 
 
 def identity(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show a statement by expanding its clauses."""
+    """Prove a statement by expanding its clauses."""
     an_object(evidence, "kind", "the evidence")
     over = evaluation_context(statement, setting)
     if not all(map(over.is_identity, over.expansion.clauses)):

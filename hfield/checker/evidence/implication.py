@@ -37,7 +37,7 @@ def check_implication(
 
 
 def _everywhere(expansion: Expansion, items: list[VerifiedItem]) -> str:
-    """Prove the clauses over all fields, and separately in each characteristic that was divided by."""
+    """Prove the clauses over all fields, and separately in each characteristic by which the proof divides."""
     general = [item for item in items if item.p == 0]
     _cover(expansion, EvaluationContext(expansion, None), general)
     divided = {abs(d) for item in general for d in item.denominators}
@@ -103,7 +103,7 @@ def _covers(
 
 
 def implication(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show a statement by cofactors."""
+    """Prove a statement by cofactors."""
     data = an_object(evidence, "kind facts items", "the evidence")
     expansion = evaluation_context(statement, setting).expansion
     return check_implication(expansion, setting, data).within(reach(statement, setting))

@@ -65,14 +65,14 @@ def _check_tuples(
         }
         evaluator = evaluator_at(ring, setting, statement, values)
         for side in sides:
-            found = evaluator.quaternion(evaluator.value(side))  # nothing divides, so it is defined
+            found = evaluator.quaternion(evaluator.value(side))  # without division it is defined
             pairs = zip(found, listed[word], strict=True)
             if evaluator.conditions or not all(ring.equal(u, v) for u, v in pairs):
                 reject(f"the sides at {word} are not what the list says")
 
 
 def _degrees(tree: Tree, names: list[str]) -> Degrees:
-    """Return the degrees of the terms in each unknown; reject terms that are not multilinear."""
+    """Return the degree of the terms in each unknown; reject terms that are not multilinear."""
     if tree[0] == "num" and isinstance(tree[1], int):
         return {(0,) * len(names)} if tree[1] else set()
     if tree[0] == "name":
@@ -94,7 +94,7 @@ def _degrees(tree: Tree, names: list[str]) -> Degrees:
 
 
 def multilinear(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show an equation by its values at tuples of basis vectors."""
+    """Prove an equation by its values at tuples of basis vectors."""
     data = an_object(evidence, "kind unknowns tuples", "the evidence")
     check_multilinear(statement, setting, data)
     return CheckResult(COMMUTATIVE_RINGS, MULTILINEAR).within(reach(statement, setting))

@@ -11,11 +11,11 @@ from hfield.checker.rejection import an_object, reject
 from hfield.checker.statement import HAMILTON, Setting, Statement
 
 MAX_DEGREE = 1_000
-Top = tuple[int, bool]  # at most this degree; whether exactly, by a single monomial that is not 0
+Top = tuple[int, bool]  # at most this degree; a single nonzero monomial decides whether exactly
 
 
 def quaternion_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show ``exists q: f == g`` over RR for one quaternion q, for all values of the given unknowns."""
+    """Prove ``exists q: f == g`` over RR for one quaternion q, for all values of the given unknowns."""
     an_object(evidence, "kind", "the evidence")
     if setting.field is None or setting.field.name != "RR" or setting.constants != HAMILTON:
         reject("polynomials in a quaternion have roots over RR, in (-1,-1|RR)")
@@ -56,7 +56,7 @@ def _sum(left: Top, right: Top) -> Top:
 
 
 def _is_not_zero(tree: Tree) -> bool:
-    """Return whether a term is certainly not 0: a product of numbers and of e, i, j, k."""
+    """Return whether a term is certainly nonzero: a product of numbers and of e, i, j, k."""
     if tree[0] == "num":
         return bool(tree[1] != 0)
     if tree[0] == "name":

@@ -23,7 +23,7 @@ MAX_DEGREE = 1_000
 
 
 def real_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show ``exists s: f == g`` over RR, for all values of the given unknowns."""
+    """Prove ``exists s: f == g`` over RR, for all values of the given unknowns."""
     by = evidence.get("by") if isinstance(evidence, dict) else None
     own = "between" if by == "sign change" else ""
     data = an_object(evidence, f"kind by {own}", "the evidence")
@@ -55,7 +55,7 @@ def real_root(statement: Statement, setting: Setting, evidence: object) -> Check
 
 
 def complex_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show ``exists s: f == g`` over CC: a polynomial with a number in front has a root."""
+    """Prove ``exists s: f == g`` over CC: a polynomial whose leading coefficient is a number has a root."""
     an_object(evidence, "kind", "the evidence")
     c = _coefficients(statement, setting, "CC")
     if not is_constant(c[max(c)]):
@@ -64,7 +64,7 @@ def complex_root(statement: Statement, setting: Setting, evidence: object) -> Ch
 
 
 def _coefficients(statement: Statement, setting: Setting, name: str) -> dict[int, Poly]:
-    """Return f − g by the powers of the one scalar that is sought; of positive degree in it."""
+    """Return the coefficients of f − g in the single existential scalar; the degree must be positive."""
     sorts = dict(statement.unknowns)
     if setting.field is None or setting.field.name != name or statement.divides:
         reject(f"roots are found over {name}, where nothing divides")

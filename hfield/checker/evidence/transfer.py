@@ -21,7 +21,7 @@ def fractions(statement: Statement, setting: Setting, evidence: object) -> Check
 
 
 def reduction(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Polynomials that have no common zero modulo n have none in ℤ, or modulo a multiple of n."""
+    """Polynomials without a common zero modulo n have none in ℤ, or modulo a multiple of n."""
     data = an_object(evidence, "kind modulus proof", "the evidence")
     ring, n = setting.field, an_integer(data["modulus"], "the modulus", 2)
     if ring is None or statement.divides or not ring.maps_modulo(n):

@@ -18,7 +18,7 @@ def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> C
 
 
 def need_hypotheses(statement: Statement, setting: Setting) -> None:
-    """Reject ``proved`` where expanding shows that the statement is vacuous."""
+    """Reject ``proved`` if the expansion shows that the statement is vacuous."""
     if not statement.hypotheses:
         return
     try:

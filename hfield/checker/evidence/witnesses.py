@@ -1,4 +1,4 @@
-"""Check ``witness``: values that refute a statement or prove that something exists."""
+"""Check ``witness``: values that refute a statement or prove existence."""
 
 from collections.abc import Hashable
 
@@ -66,9 +66,10 @@ def _refuted(tree: Tree, infinite: bool) -> str:
 
 
 def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
-    """Return whether the statement (or its negation) is an identity: equations, joined by "and".
+    """Return whether the statement (or its negation) is an identity: equations joined by "and".
 
-    Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
+    Equations joined by "or" count too, if a product of polynomials vanishes everywhere only if one of them
+    does.
     """
     if tree[0] in ("==", "!="):
         return bool((tree[0] == "==") == said)
@@ -81,7 +82,7 @@ def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
 
 
 def example(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
-    """Show existence by values for which the statement is true."""
+    """Prove existence by values for which the statement is true."""
     if statement.given or setting.field is None:
         reject("one element shows that something exists only for one field, and no other unknowns")
     ring, values = _witness(statement, setting, evidence)

@@ -1,10 +1,11 @@
-"""Constants of the theorems that bound class groups and regulators of number fields."""
+"""Constants of the theorems with bounds for class groups and regulators of number fields."""
 
 from fractions import Fraction
 
-# exp(−c) of Zimmert's first corollary for the degree, by the number of complex places, rounded up. The two
-# ideals of the corollary lie in a class and in its inverse times the class of the different, which is a
-# square (Hecke). So no subgroup of index 2, and hence no proper one, has all prime ideals of such norms.
+# exp(−c) of Zimmert's first corollary for the degree, by the number of complex places, rounded up.
+# The two ideals of the corollary lie in a class and in the product of its inverse with the class of
+# the different, which is a square (Hecke). So no subgroup of index 2, and hence no proper subgroup,
+# contains all prime ideals of such norms.
 _ZIMMERT = {
     3: "0.1796 0.2531",
     4: "0.05405 0.08202 0.1202",
@@ -30,10 +31,10 @@ _LENGTHS = (100, 162, 2280, 14783, 51972, 149783, 179184, 242819, 367642, 615069
 
 
 def short_length(n: int, discriminant: int) -> int:
-    """Return K so that a field has a few hundred integers x with Σ|xᵥ|² ≤ K over its n embeddings.
+    """Return K such that a field has a few hundred integers x with Σ|xᵥ|² ≤ K over its n embeddings.
 
-    That is where half a ball has the volume of 100 fundamental domains of the integers in degree 3, of 300
-    and 600 in degrees 4 and 5, of 1000 in degree 6 and above. Beyond degree 12 there are fewer.
+    For this K, half of a ball has the volume of 100 fundamental domains of the ring of integers in degree 3,
+    of 300 and 600 in degrees 4 and 5, and of 1000 from degree 6 on. Beyond degree 12 there are fewer.
     """
     power = _LENGTHS[min(n, len(_LENGTHS)) - 1] * abs(discriminant)
     low, high = 0, 1 << power.bit_length() // n + 1

@@ -1,8 +1,9 @@
 """``class-group{2,4}`` and ``unit-group{2; 1+s; …}``: ideal classes and units of a number field.
 
-S is a set of prime ideals that generates the class group: every class has an ideal of norm up to a bound that
-is cited, and each prime ideal up to there is reduced to S by an element. The S-units are seen to be all; the
-class group is ℤ^S modulo their exponents, and units are those with exponents 0 (docs/explanation/trust.md).
+S is a set of prime ideals that generates the class group: every class has an ideal of norm up to a cited
+bound, and each prime ideal up to that bound is reduced to S by an element. The given S-units are proved to
+generate all S-units. The class group is ℤ^S modulo their exponents, and the units are the S-units with
+exponents 0 (docs/explanation/trust.md).
 """
 
 from collections.abc import Sequence
@@ -56,7 +57,7 @@ def class_group(
 def unit_group(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Check the number of roots of unity, and that these units generate the group with them."""
+    """Check the number of roots of unity, and that together with these units they generate the unit group."""
     _expect_proved(verdict)
     shown = SUnits(field_of(setting), evidence)
     assert setting.field is not None
@@ -73,7 +74,7 @@ def _expect_proved(verdict: str) -> None:
 
 
 class SUnits:
-    """The S-units of the evidence, checked to generate all."""
+    """The S-units of the evidence, proved to generate all S-units."""
 
     KEYS = "kind basis primes S reductions generators torsion saturated"
 
@@ -128,7 +129,9 @@ class SUnits:
     # --- the primes ----------------------------------------------------------------------------------
 
     def _bounds(self) -> list[tuple[int, str]]:
-        """Return bounds of norms of primes that generate the class group, with theorems, the least last."""
+        """Return bounds for the norms of primes that generate the class group, with the theorems, least bound
+        last.
+        """
         n, size, complex_ = self.field.degree, abs(self.integers.discriminant), self.places.complex
         if n == 2:
             return [(isqrt(size // (3 if complex_ else 5)), REDUCED_FORMS)]
@@ -163,7 +166,7 @@ class SUnits:
         reject(missing)
 
     def _missing(self, bound: int, known: set[int]) -> str | None:
-        """Say which prime ideals of norm up to a bound are missing, None if they are not."""
+        """Describe the missing prime ideals of norm up to a bound; None if none is missing."""
         spend(bound)
         for p in range(2, bound + 1):
             if p not in self.factors.above and is_prime(p):
@@ -181,14 +184,16 @@ class SUnits:
         return row
 
     def logarithms(self, x: Element) -> list[Interval]:
-        """Return its logarithms at all infinite places but the last."""
+        """Return the logarithms of x at all infinite places except the last."""
         c, den = over_one_denominator([a / self.field.scale**k for k, a in enumerate(x)])
         return self.places.logarithms(c, den)[: self.places.rank] if self.places.rank else []
 
     # --- roots of unity ------------------------------------------------------------------------------
 
     def _read_torsion(self, value: object) -> None:
-        """Read a root of unity of order w, and primes of degree one, modulo which roots of unity differ."""
+        """Read a root of unity of order w, and primes of degree one modulo which the roots of unity are
+        distinct.
+        """
         data = an_object(value, "order generator residues", "the torsion")
         w = self.torsion_order = an_integer(data["order"], "the number of roots of unity", 2)
         self.torsion = self.given(data["generator"])
@@ -220,7 +225,9 @@ class SUnits:
     # --- saturation ----------------------------------------------------------------------------------
 
     def _degree_one(self, value: object, least: int) -> tuple[int, int]:
-        """Read a prime q and a simple root r of f modulo q: the field lies in ℚ_q, s being r modulo q."""
+        """Read a prime q and a simple root r of f modulo q; then the field embeds in ℚ_q with s ≡ r
+        modulo q.
+        """
         pair_ = a_list(value, "a residue", 2)
         q, r = an_integer(pair_[0], "a prime", least), an_integer(pair_[1], "a root", 0)
         if len(pair_) != 2 or not is_prime(q) or self.field.scale % q == 0:
@@ -232,9 +239,10 @@ class SUnits:
         return q, r
 
     def _need_saturated(self, value: object) -> None:
-        """Reject unless the given S-units generate all S-units: no prime divides the index.
+        """Reject unless the given S-units generate all S-units, that is, no prime divides the index.
 
-        The index is h'/h times that of units, h' the order of ℤ^S modulo the exponents of the generators.
+        The index is h'/h times the index of units, where h' is the order of ℤ^S modulo the exponents of the
+        generators.
         """
         if self.volume[0] <= 0:
             reject("the S-units are not shown to be independent")
@@ -258,7 +266,9 @@ class SUnits:
             self._need_units(given)
 
     def _need_units(self, given: set[int]) -> None:
-        """Reject unless no other prime divides the index of the units, for a bound of the regulator."""
+        """Reject unless a regulator bound shows that no prime other than the given ones divides the index of
+        the units.
+        """
         least, source = self._least_volume()
         missing = self._missing_below(least, given)
         if missing and self.field.degree > 2:
@@ -273,7 +283,7 @@ class SUnits:
             self.cites += (source,)
 
     def _missing_below(self, least: int, given: set[int]) -> int:
-        """Return a prime that may divide the index of the units and is not given, else 0."""
+        """Return a prime that may divide the index of the units but is not given, or 0."""
         limit = self.volume[1] // (prod(self.invariants) * least)
         spend(min(limit, MAX_SATURATED))
         for ell in range(2, min(limit, MAX_SATURATED) + 1):
@@ -282,7 +292,9 @@ class SUnits:
         return limit if limit > MAX_SATURATED else 0
 
     def _need_saturated_at(self, ell: int, value: object) -> None:
-        """Reject unless characters show that only ℓ-th powers in the span are ℓ-th powers in the field."""
+        """Reject unless characters show that a product of the S-units is an ℓ-th power only if it is one in
+        the span.
+        """
         elements = list(self.generators)
         if self.torsion_order % ell == 0:
             elements.append(self.torsion)
@@ -302,7 +314,7 @@ class SUnits:
         return _at(c, r, q) * pow(den, -1, q) % q
 
     def _least_volume(self) -> tuple[int, str]:
-        """Return a lower bound of the regulator over 2^(DIGITS·rank), and its source."""
+        """Return a lower bound for the regulator, scaled by 2^(DIGITS·rank), and its source."""
         n, size, rank = self.field.degree, abs(self.integers.discriminant), self.places.rank
         if (
             n == 2
@@ -330,7 +342,7 @@ def _at(f: Sequence[int], r: int, q: int) -> int:
 
 
 def _characters(ell: int, q: int, values: list[int]) -> list[int]:
-    """Return logarithms of x^((q − 1)/ℓ), to one base, modulo ℓ."""
+    """Return the logarithms of x^((q − 1)/ℓ) modulo ℓ, to a common base."""
     power = (q - 1) // ell
     few = min(ell, 4 * isqrt(ell) + 1)
     spend(few + (20 + ell // few) * len(values))

@@ -1,4 +1,4 @@
-"""All short vectors of a positive definite form, in integers alone (Fincke and Pohst)."""
+"""All short vectors of a positive definite form, in integer arithmetic (Fincke and Pohst)."""
 
 from collections.abc import Iterator
 from math import isqrt, lcm
@@ -9,9 +9,10 @@ from hfield.checker.rejection import reject
 
 
 def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
-    """Yield every x ≠ 0 with x·G·xᵀ ≤ bound, one of ±x, and its value.
+    """Yield one of ±x for every x ≠ 0 with x·G·xᵀ ≤ bound, and the value.
 
-    With the leading minors d of G, x·G·xᵀ = Σ yₘ²/(dₘ₋₁·dₘ), where yₘ = dₘ·xₘ + (what later x give).
+    With the leading minors d of G, x·G·xᵀ = Σ yₘ²/(dₘ₋₁·dₘ), where yₘ is dₘ·xₘ plus a contribution of later
+    coordinates.
     """
     size, lines = len(gram), _triangle(gram)
     minors = [1, *(lines[m][m] for m in range(size))]
@@ -44,7 +45,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
 
 
 def _triangle(gram: Rows) -> list[list[int]]:
-    """Eliminate without fractions: the leading minors are on the diagonal, and have to be positive."""
+    """Eliminate without fractions; the diagonal has the leading minors, which must be positive."""
     m, size = [list(row) for row in gram], len(gram)
     spend(size**3 * (64 + longest(m) ** 2 // 2_500) // 64)
     before = 1

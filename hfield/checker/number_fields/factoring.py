@@ -9,7 +9,7 @@ MAX_BITS = 4096
 
 
 def factored(n: int) -> dict[int, int]:
-    """Return the primes of a positive integer and their exponents. Rejects where trial division is not
+    """Return the primes of a positive integer and their exponents. Rejects if trial division is not
     enough.
     """
     found: dict[int, int] = {}

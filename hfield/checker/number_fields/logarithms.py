@@ -1,8 +1,8 @@
-"""Logarithms of the absolute values of algebraic numbers at the infinite places, in bounds that are proved.
+"""Logarithms of absolute values of algebraic numbers at the infinite places, with proved bounds.
 
 All numbers are integers over a power of 2. The roots of the polynomial lie in discs (Smith 1970), which
-Newton's steps make small: of the n roots of f one is within n·|f(z)/f′(z)| of z. How far a polynomial can be
-from its value at the middle of a disc is added up.
+Newton's iteration makes small: one of the n roots of f is within n·|f(z)/f′(z)| of z. The bounds add the
+deviation of a polynomial on a disc from its value at the centre.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ Interval = tuple[int, int]
 
 
 class Places:
-    """The infinite places of ℚ[θ], f(θ) = 0, f monic over ℤ: real ones first."""
+    """The infinite places of ℚ[θ], where f(θ) = 0 for f monic over ℤ; real places first."""
 
     def __init__(self, f: Sequence[int]) -> None:
         self.f, self.n = list(f), len(f) - 1
@@ -40,14 +40,14 @@ class Places:
         return self.real + self.complex - 1
 
     def _at(self, bits: int) -> list[Disc]:
-        """Return a disc over 2^bits around the root of each place."""
+        """Return, for each place, a disc over 2^bits around the root."""
         if bits not in self._discs:
             first = self._discs[BITS]
             self._discs[bits] = [self._refined(d, k < self.real, bits) for k, d in enumerate(first)]
         return self._discs[bits]
 
     def _refined(self, disc: Disc, real: bool, bits: int) -> Disc:
-        """Return a smaller disc around the root that lies in a disc."""
+        """Return a smaller disc around the root in a disc."""
         shift = bits - BITS
         slope = [k * c for k, c in enumerate(self.f)][1:]
         x, y = disc[0] << shift, 0 if real else disc[1] << shift
@@ -67,7 +67,7 @@ class Places:
         return x, y, r
 
     def logarithms(self, c: Sequence[int], den: int) -> list[Interval]:
-        """Return bounds of log|x| at each place, twice that at complex ones, for x = Σ cₖθᵏ/den, not 0."""
+        """Return bounds of log|x| at each place (of 2·log|x| at complex places), for x = Σ cₖθᵏ/den ≠ 0."""
         bits = 2 * BITS
         while bits <= FINEST:
             spend(self.n * self.n * (20 + bits * bits // 50_000))
@@ -85,7 +85,7 @@ class Places:
         reject("an element has conjugates too small to be distinguished from 0 here")
 
     def values(self, c: Sequence[int], den: int, bits: int) -> list[tuple[int, int]]:
-        """Return real and imaginary parts of Σ cₖθᵏ/den at each place, less than 3 away over 2^bits."""
+        """Return real and imaginary parts of Σ cₖθᵏ/den at each place, over 2^bits, with an error below 3."""
         work = 2 * BITS
         while work <= FINEST:
             spend(self.n * self.n * (20 + work * work // 50_000))
@@ -102,7 +102,7 @@ class Places:
 
 
 def _value(f: Sequence[int], x: int, y: int, bits: int) -> tuple[int, int, int]:
-    """Return f(z), z = (x + iy)/2^bits, exactly: both parts over a power of 2, and its exponent."""
+    """Return f(z) exactly, for z = (x + iy)/2^bits: both parts over a power of 2, and its exponent."""
     re, im, power = 0, 0, 0
     for c in reversed(f):
         re, im, power = re * x - im * y, re * y + im * x, power + bits
@@ -111,7 +111,7 @@ def _value(f: Sequence[int], x: int, y: int, bits: int) -> tuple[int, int, int]:
 
 
 def _quotient(a: tuple[int, int, int], b: tuple[int, int, int], bits: int) -> tuple[int, int]:
-    """Return a/b over 2^bits, less than 1 away in each part."""
+    """Return a/b over 2^bits, with an error below 1 in each part."""
     size = b[0] * b[0] + b[1] * b[1]
     if not size:
         reject("a root of a modulus is not found here")
@@ -122,14 +122,14 @@ def _quotient(a: tuple[int, int, int], b: tuple[int, int, int], bits: int) -> tu
 
 
 def _size(c: Sequence[int], disc: Disc, bits: int) -> Interval:
-    """Return bounds of |Σ cₖzᵏ| over 2^bits for z in a disc."""
+    """Return bounds of |Σ cₖzᵏ| over 2^bits, for z in a disc."""
     re, im, power = _value(c, disc[0], disc[1], bits)
     middle, error = isqrt(re * re + im * im) >> power - bits, _error(c, disc, bits)
     return middle - error, middle + 1 + error
 
 
 def _error(c: Sequence[int], disc: Disc, bits: int) -> int:
-    """Return how far Σ cₖzᵏ may be in a disc from its value at the middle, over 2^bits."""
+    """Return the maximal deviation over 2^bits of Σ cₖzᵏ on a disc from its value at the centre."""
     x, y, r = disc
     reach, slope = abs(x) + abs(y) + r, 0
     for k in range(len(c) - 1, 0, -1):
@@ -144,9 +144,9 @@ def _log2(digits: int) -> Interval:
 
 
 def _atanh(a: int, b: int, digits: int) -> int:
-    """Return artanh(a/b), 0 ≤ a/b ≤ 1/3, over 2^digits, less than 2^(SLACK − 2) away.
+    """Return artanh(a/b), 0 ≤ a/b ≤ 1/3, over 2^digits, with an error below 2^(SLACK − 2).
 
-    No term is more than 3 away from its value, and there are fewer than ``digits`` of them.
+    Each term has an error of at most 3, and there are fewer than ``digits`` terms.
     """
     t = (a << digits) // b
     square, power, total, k = t * t >> digits, t, 0, 1
@@ -157,7 +157,7 @@ def _atanh(a: int, b: int, digits: int) -> int:
 
 
 def log(n: int) -> Interval:
-    """Return bounds of the logarithm of a positive integer over 2^DIGITS."""
+    """Return bounds of the logarithm of a positive integer, over 2^DIGITS."""
     spend(60 + n.bit_length() // 100)
     e = n.bit_length() - 1
     top = 1 << e
@@ -166,7 +166,7 @@ def log(n: int) -> Interval:
 
 
 def volume(rows: Sequence[Sequence[int]], logs: Sequence[Sequence[Interval]]) -> Interval:
-    """Return bounds of |det|, over 2^(DIGITS·r), of rows of integers followed by r logarithms."""
+    """Return bounds of |det| over 2^(DIGITS·r), for rows of integers followed by r logarithms."""
     whole = [
         [*row, *((low + high) // 2 for low, high in log)]
         for row, log in zip(rows, logs, strict=True)

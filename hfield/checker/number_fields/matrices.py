@@ -2,7 +2,7 @@
 
 Integers may also be polynomials over a finite field (:mod:`hfield.checker.scalars.finite_field_polynomials`).
 
-Most rows have four entries. Their products are computed by a special case, which takes half the time.
+Most rows have four entries. A special case for these takes half the time.
 """
 
 import math
@@ -56,7 +56,7 @@ T = TypeVar("T")
 
 
 def gcd(first: N, *others: N) -> N:
-    """Return the greatest common divisor: positive of integers, monic of polynomials."""
+    """Return the greatest common divisor: positive for integers, monic for polynomials."""
     return math.gcd(first, *others) if isinstance(first, int) else first.gcd(*others)
 
 
@@ -77,7 +77,7 @@ def ratio(x: N, y: N) -> Fraction | RationalFunction:
 
 
 def normal(x: N) -> N:
-    """Return the associate of a number other than 0 that is positive or monic."""
+    """Return the associate of a nonzero number that is positive or monic."""
     return abs(x) if isinstance(x, int) else x * x.to_normal
 
 
@@ -92,7 +92,7 @@ def longest(rows: Iterable[Sequence[Number]]) -> int:
 
 
 def unit(n: int, k: int, value: int = 1) -> Row:
-    """Return a row with one entry that is not 0."""
+    """Return a row with one nonzero entry."""
     return tuple(value * int(k == m) for m in range(n))
 
 
@@ -108,18 +108,20 @@ def times(rows: Iterable[Sequence[M]], matrix: Sequence[Sequence[M]]) -> list[tu
 
 
 def times_any(rows: Iterable[Sequence[M]], matrix: Sequence[Sequence[M]]) -> list[tuple[M, ...]]:
-    """Return the products of rows with a matrix that has any number of rows."""
+    """Return the products of rows with a matrix of any number of rows."""
     columns, zero = transposed(matrix), matrix[0][0] * 0
     return [tuple([sum(map(mul, row, column), zero) for column in columns]) for row in rows]
 
 
 def transposed(rows: Iterable[Sequence[T]]) -> tuple[tuple[T, ...], ...]:
-    """Return the columns."""
+    """Return the transposed matrix, as rows."""
     return tuple(zip(*rows, strict=True))
 
 
 def hermite(rows: Iterable[Sequence[N]]) -> RowsOf[N]:
-    """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` below the full rank."""
+    """Return the Hermite form of the span of rows over ℤ. Raises :class:`Rejected` unless it has
+    full rank.
+    """
     rest = [list(row) for row in rows]
     if not rest:
         reject("no rows span no lattice")
@@ -130,8 +132,8 @@ def hermite(rows: Iterable[Sequence[N]]) -> RowsOf[N]:
     found: list[list[N]] = []
     first = longest(rest)
     for c in range(size):
-        bits = (c + 1) * first  # what has been combined is longer
-        cost = 1 + bits // 4_000  # where a quotient is short, as most are
+        bits = (c + 1) * first  # products are longer
+        cost = 1 + bits // 4_000  # if a quotient is short, as most are
         spend(len(rest) * (bits * bits // 150_000))
         pool = [row for row in rest if row[c]]
         rest = [row for row in rest if not row[c]]
@@ -165,14 +167,16 @@ def _with_normal_pivot(row: list[N], c: int) -> list[N]:
 
 
 def reduced(den: N, rows: RowsOf[N]) -> KeyOf[N]:
-    """Return a Hermite form over its least denominator."""
+    """Return a Hermite form with its least denominator."""
     spend(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
     g = gcd(den, *(x for row in rows for x in row))
     return den // g, tuple(tuple(x // g for x in row) for row in rows)
 
 
 def inverse(rows: Sequence[Sequence[N]]) -> tuple[RowsOf[N], N]:
-    """Return ``(m, d)``, m/d being the inverse of a matrix. Raises :class:`Rejected` where there is none."""
+    """Return ``(m, d)`` such that m/d is the inverse of a matrix. Raises :class:`Rejected` if there
+    is none.
+    """
     size = len(rows)
     spend(60 * (1 + (size // 4) ** 3) + size**3 * longest(rows) ** 2 // 30_000)
     zero: N = rows[0][0] * 0
@@ -211,7 +215,7 @@ def is_singular(rows: Sequence[Sequence[N]]) -> bool:
 
 
 def _triangular(rows: Sequence[Sequence[N]]) -> tuple[int, list[list[N]]] | None:
-    """Eliminate without fractions (Bareiss), for the determinant in the last row; None where that is 0.
+    """Eliminate without fractions (Bareiss), for the determinant in the last row; None if that is 0.
 
     Returns the sign of the order of the rows as well.
     """

@@ -8,7 +8,7 @@ Vector = tuple[int, ...]
 
 
 def echelon(rows: Iterable[Sequence[int]], p: int) -> list[Vector]:
-    """Return the reduced echelon form of a span modulo p: unique, and as long as the dimension."""
+    """Return the reduced echelon form of a span modulo p; it is unique, and its length is the dimension."""
     rest = [[x % p for x in row] for row in rows]
     found: list[list[int]] = []
     columns = len(rest[0]) if rest else 0
@@ -31,7 +31,7 @@ def echelon(rows: Iterable[Sequence[int]], p: int) -> list[Vector]:
 
 
 def kernel(rows: Sequence[Sequence[int]], p: int) -> list[Vector]:
-    """Return a basis of the x with x·M = 0 modulo p, M having these rows."""
+    """Return a basis of all x with x·M = 0 modulo p, where M has these rows."""
     n = len(rows)
     wide = [[*row, *(int(k == m) for k in range(n))] for m, row in enumerate(rows)]
     width = len(rows[0])
@@ -49,5 +49,5 @@ def remainder(row: Sequence[int], basis: Sequence[Vector], p: int) -> list[int]:
 
 
 def pivot(row: Sequence[int]) -> int:
-    """Return the place of the first entry that is not 0."""
+    """Return the position of the first nonzero entry."""
     return next(k for k, x in enumerate(row) if x)

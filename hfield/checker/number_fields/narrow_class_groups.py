@@ -1,7 +1,8 @@
-"""Decide which ideals of a totally real field have totally positive generators: its narrow ideal classes.
+"""Decide which ideals of a totally real field have totally positive generators (narrow class group).
 
-They are products of numbers and prime ideals of a set S, and S-units of which a certificate shows that they
-are all give the relations. The signs of the units give the totally positive units modulo squares.
+Ideals are products of a number and prime ideals in a set S. The relations are given by S-units, which a
+certificate proves to generate all S-units. The signs of the units give the totally positive units modulo
+squares.
 """
 
 from collections.abc import Sequence
@@ -18,7 +19,9 @@ from hfield.checker.scalars.number_fields import Element, NumberField
 
 
 class NarrowClasses:
-    """S-units with fundamental units: which products of primes in S have a totally positive generator."""
+    """S-units with fundamental units; they decide which products of primes in S have a totally positive
+    generator.
+    """
 
     def __init__(self, field: NumberField, units: object, fundamental: object) -> None:
         self.s = s = SUnits(field, units)
@@ -69,19 +72,19 @@ class NarrowClasses:
         return True
 
     def classes(self, value: object) -> list[tuple[Element, list[int]]]:
-        """Read ideals of different narrow classes, as products of primes in S; by default that of 1."""
+        """Read ideals of distinct narrow classes, as products of primes in S; by default the unit ideal."""
         if value is None:
             return [(self.field.one, [0] * len(self.s.S))]
         found = [self.read(x) for x in a_list(value, "ideals of the narrow classes", 1)]
         for k, (x, e) in enumerate(found):
-            for y, f in found[:k]:  # signs of a quotient are those of the product
+            for y, f in found[:k]:  # a quotient has the signs of the product
                 exponents = [a - b for a, b in zip(e, f, strict=True)]
                 if self.is_principal(self.field.mul(x, y), exponents):
                     reject("two norms are in one narrow class")
         return found
 
     def is_quotient(self, x: Element, e: Sequence[int], above: Key, below: Key) -> bool:
-        """Return whether an ideal is x·∏P^e times another."""
+        """Return whether an ideal is x·∏P^e times another ideal."""
         integers, primes = self.s.integers, [self.s.factors.primes[k] for k in self.s.S]
 
         def powers(sign: int) -> list[tuple[Prime, int]]:

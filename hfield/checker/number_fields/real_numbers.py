@@ -1,7 +1,7 @@
 """The integers of a number field as real numbers, ordered by a real place.
 
-The sign of an integer other than 0 follows from bounds of the integral basis at the place. The bounds are
-refined until they decide.
+The sign of a nonzero integer follows from bounds of the integral basis at the place. The bounds are refined
+until they decide.
 """
 
 from fractions import Fraction
@@ -52,7 +52,7 @@ class RealPlace:
 
 
 class Real:
-    """An integer of a field as a real number, by its value at a place."""
+    """An integer of a field, as a real number through a real place."""
 
     __slots__ = ("place", "row")
 
@@ -119,7 +119,7 @@ class Real:
         return not self < other
 
     def bit_length(self) -> int:
-        """Return how long its longest coordinate is."""
+        """Return the bit length of its longest coordinate."""
         return max(map(int.bit_length, self.row))
 
 

@@ -1,4 +1,4 @@
-"""A lower bound of the regulator, from all short integers of the field (docs/explanation/trust.md)."""
+"""A lower bound for the regulator, from all short integers of the field (docs/explanation/trust.md)."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -30,13 +30,13 @@ class ShortUnits:
         self.units = [self.number(x) for x in vectors if abs(integers.norm(x)) == 1]
 
     def number(self, row: Sequence[int]) -> Element:
-        """Return an integer of the field by its coordinates."""
+        """Return an integer of the field with given coordinates."""
         return self.integers.number([Fraction(c) for c in row])
 
     def _form(self) -> Rows:
         """Return integers for a form that is at most 2^FORM_BITS·Σ|xᵥ|².
 
-        Entries are less than 2 away, which changes the form by at most 2·(Σ|xᵢ|)² ≤ 2n·Σxᵢ².
+        Entries have an error below 2, which changes the form by at most 2·(Σ|xᵢ|)² ≤ 2n·Σxᵢ².
         """
         n, scale = self.integers.n, self.integers.field.scale
         numerators = [
@@ -57,7 +57,7 @@ class ShortUnits:
         return tuple(map(tuple, form))
 
     def least_volume(self, torsion: Sequence[Element]) -> int:
-        """Return a lower bound of the regulator over 2^(DIGITS·r), r > 0 the rank of the units.
+        """Return a lower bound for the regulator over 2^(DIGITS·r), where r > 0 is the rank of the units.
 
         ``torsion`` holds all roots of unity.
         """
@@ -74,7 +74,7 @@ class ShortUnits:
         return isqrt(square)
 
     def _square(self, x: Element) -> int:
-        """Return a lower bound of Σ log²|xᵥ| over the embeddings, over 2^DIGITS."""
+        """Return a lower bound for Σ log²|xᵥ| over the embeddings, over 2^DIGITS."""
         scale = self.integers.field.scale
         c, den = over_one_denominator([a / scale**k for k, a in enumerate(x)])
         total = 0
@@ -85,9 +85,10 @@ class ShortUnits:
 
 
 def shortest_logarithm(n: int, e: int, length: int) -> int:
-    """Return a lower bound of Σ log²|εᵥ|, over 2^DIGITS, for units ε with Σ|xᵥ|² > ``length`` at ε and 1/ε.
+    """Return a lower bound for Σ log²|εᵥ|, over 2^DIGITS, for units ε with Σ|xᵥ|² > ``length`` at ε and 1/ε.
 
-    It is e·u²/2 with e·(eᵘ − 1 − u + u²/2) = length − n, where e is 2 if all places are complex, else 1.
+    It is e·u²/2 with e·(eᵘ − 1 − u + u²/2) = length − n, where the coefficient e is 2 if all places are
+    complex, else 1.
     """
     low, high = 0, 1 << STEP_BITS + 6
     while high - low > 1:

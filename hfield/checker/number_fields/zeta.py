@@ -1,7 +1,8 @@
-"""ζ_K(−1) of a totally real field, by Siegel's formula, which is cited: a sum over totally positive numbers.
+"""The value ζ_K(−1) of a totally real field, by Siegel's formula (cited), a sum over totally positive
+numbers.
 
-Over ν in the inverse of the different D with Tr ν = l and all conjugates positive, σ₁(νD) is summed; the sums
-for the first few l, with coefficients that are the same for all fields of a degree, give ζ_K(−1).
+σ₁(νD) is summed over all ν in the inverse of the different D with Tr ν = l and positive conjugates. The sums
+for the first few l, with coefficients that depend only on the degree of the field, give ζ_K(−1).
 """
 
 from fractions import Fraction
@@ -15,7 +16,7 @@ from hfield.checker.scalars.matrices import inverse_matrix
 
 
 def zeta_minus_one(integers: RingOfIntegers, factors: Primes) -> Fraction:
-    """Return ζ_K(−1) of a totally real field. Rejects where prime ideals that are needed are missing."""
+    """Return ζ_K(−1) of a totally real field. Rejects if required prime ideals are missing."""
     n = integers.n
     if n == 1:  # where Siegel's sum does not begin
         return Fraction(-1, 12)
@@ -26,7 +27,7 @@ def zeta_minus_one(integers: RingOfIntegers, factors: Primes) -> Fraction:
 
 
 def _coefficients(weight: int) -> list[Fraction]:
-    """Return the coefficients of q⁰, q⁻¹, …, q⁻ʳ of E_w/Δʳ, r the dimension in this weight."""
+    """Return the coefficients of q⁰, q⁻¹, …, q⁻ʳ of E_w/Δʳ, where r is the dimension in this weight."""
     r = weight // 12 + (weight % 12 != 2)
     w = 12 * r - weight + 2
     series = [Fraction(1)] + [Fraction(0)] * r
@@ -50,7 +51,9 @@ def _bernoulli(w: int) -> Fraction:
 
 
 def _sums(integers: RingOfIntegers, factors: Primes, most: int) -> list[int]:
-    """Return Σ σ₁(ν·D) for the traces 1, …, ``most``; the conjugates of ν have squares of a sum up to l²."""
+    """Return Σ σ₁(ν·D) for the traces l = 1, …, ``most``; the squares of the conjugates of ν sum to at most
+    l².
+    """
     n, d = integers.n, abs(integers.discriminant)
     form = [[integers.trace(integers.table[k][m]) for m in range(n)] for k in range(n)]
     dual = inverse_matrix([[Fraction(c) for c in row] for row in form])
@@ -88,7 +91,7 @@ def _positive(integers: RingOfIntegers, row: tuple[int, ...]) -> bool:
 def _divisor_sum(
     integers: RingOfIntegers, factors: Primes, row: tuple[int, ...], dual: list[tuple[int, ...]]
 ) -> int:
-    """Return the sum of the norms of the ideals that divide ν·D; d·ν is given, and d·D⁻¹ by a basis."""
+    """Return the sum of the norms of the divisors of ν·D, given d·ν, and d·D⁻¹ by a basis."""
     d = abs(integers.discriminant)
     size, out = abs(integers.norm(row)) * d // d**integers.n, 1
     for p, e in factored(size).items():

@@ -1,7 +1,7 @@
-"""The algebra i² = a + t·i, j² = b over ℚ, a number field or GF(q)(t), on rows of integers.
+"""The algebra i² = a + t·i, j² = b over ℚ, a number field or GF(q)(t), on integer rows.
 
-A row holds the coordinates of w, x, y and z in an integral basis of the field, for w + x·i + y·j + z·k: four
-integers over ℚ, four times the degree over a number field, and four polynomials over GF(q)(t).
+A row has the coordinates of w, x, y and z in an integral basis of the field, for w + x·i + y·j + z·k. These
+are four integers over ℚ, four times the degree over a number field, and four polynomials over GF(q)(t).
 """
 
 from abc import ABC, abstractmethod
@@ -38,7 +38,7 @@ MAX_DEGREE = 6
 class AlgebraOf(ABC, Generic[N]):
     """Products, conjugates, traces and pairings of rows; each result is multiplied by ``scale``.
 
-    The caller spends the work, by the ``bits`` of the lattice that contains the rows.
+    The caller spends the work, according to the ``bits`` of the lattice that contains the rows.
     """
 
     def __init__(self, setting: Setting, integers: Integers[N]) -> None:
@@ -98,7 +98,9 @@ class AlgebraOf(ABC, Generic[N]):
         return [self.number([one if k == m else zero for m in range(n)]) for k in range(n)]
 
     def _tabulate(self) -> None:
-        """Make the matrices over ℤ: of the products, of tr(x·conj(y)) place by place, of conj and tr."""
+        """Compute the matrices over ℤ of the products, of each coordinate of tr(x·conj(y)), of conj
+        and tr.
+        """
         n, size = self.n, self.size
         zero, one = self.integers.zero, self.integers.zero + 1
         left = [[zero] * size**2 for _ in range(size)]
@@ -131,7 +133,9 @@ class AlgebraOf(ABC, Generic[N]):
         self._trace: RowsOf[N] = tuple(twice + of_i + [(zero,) * n] * (2 * n))
 
     def _on_basis(self, c: RowOf[N]) -> list[tuple[int, int, RowOf[N]]]:
-        """Return the places of each two elements of the integral basis, and their product with a number."""
+        """Return the positions of each pair of elements of the integral basis, and their product with a
+        number.
+        """
         if not any(c):
             return []
         by = self.integers.matrix(c)
@@ -143,7 +147,7 @@ class AlgebraOf(ABC, Generic[N]):
         return self._parted(times([x], self._left)[0])
 
     def right(self, y: Sequence[N]) -> RowsOf[N]:
-        """Return the matrix that takes a row x to x·y."""
+        """Return the matrix that maps a row x to x·y."""
         return self._parted(times([y], self._right)[0])
 
     def _parted(self, row: RowOf[N]) -> RowsOf[N]:
@@ -165,7 +169,7 @@ class AlgebraOf(ABC, Generic[N]):
         return tuple(sum((c * d for c, d in zip(image, y, strict=True)), zero) for image in images)
 
     def blockwise(self, x: Sequence[N], matrix: Sequence[Sequence[N]]) -> RowOf[N]:
-        """Return a row of which each of the four numbers is multiplied by a matrix."""
+        """Return a row with each of its four numbers multiplied by a matrix."""
         n = self.n
         blocks = times([x[m : m + n] for m in range(0, self.size, n)], matrix)
         return tuple(c for block in blocks for c in block)

@@ -1,8 +1,9 @@
-"""Check that a list has all right ideal classes of an order in a totally definite algebra, by their mass.
+"""Check that a list of right ideal classes of an order in a totally definite algebra is complete, by the
+mass.
 
 The class of a right ideal I is recognised by the lattices x⁻¹·I for the x in I with the least Tr(N(x)/νu).
-They lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally positive
-and a represents a narrow ideal class; u runs through the totally positive units modulo squares
+These lattices lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally
+positive and a represents a narrow ideal class; u runs through the totally positive units modulo squares
 (docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
 """
 
@@ -25,7 +26,7 @@ X = TypeVar("X")
 
 
 def need_ideal(lattice: LatticeOf[N], order: LatticeOf[N], side: str, what: str = "this") -> None:
-    """Reject unless a lattice is a locally principal ideal: its index is the square of its norm."""
+    """Reject unless a lattice is a locally principal ideal, that is, its index is the square of its norm."""
     factors = (order, lattice) if side == "left" else (lattice, order)
     if not factors[0].products_lie_in(factors[1], lattice):
         reject(f"{what} is no {side} ideal of the order")
@@ -39,12 +40,12 @@ def need_class_set(
     divided: Callable[[L, X], tuple[set[K], int]],
     mass: Fraction,
 ) -> list[int]:
-    """Return the numbers of units of left orders modulo those of the field; reject other lists.
+    """Return the numbers of units of left orders modulo those of the field; reject an incorrect list.
 
-    These ideals have to represent each class once; each has 1/ν and the index of its a.
+    The ideals must represent each class once; each comes with 1/ν and the index of its a.
 
-    ``divided`` returns, for an ideal and its 1/ν, the lattices by which its class is recognised, and how many
-    units its left order has modulo those of the field.
+    ``divided`` maps an ideal and its 1/ν to the lattices that identify its class, and to the number of units
+    of its left order modulo those of the field.
     """
     seen: dict[tuple[int, K], int] = {}
     units = []
@@ -108,7 +109,7 @@ def _least(
 
 
 def _divided(ideal: Lattice, x: Row, norm: Row) -> Key:
-    """Return x⁻¹·I = N(x)⁻¹·conj(x)·I; x and its norm are as :meth:`Lattice.norm_of` has them."""
+    """Return x⁻¹·I = N(x)⁻¹·conj(x)·I; x and its norm are in the format of :meth:`Lattice.norm_of`."""
     algebra = ideal.algebra
     ideal.pay(3)
     back, det = inverse(algebra.integers.matrix(norm))

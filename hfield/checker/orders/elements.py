@@ -11,9 +11,10 @@ from hfield.checker.scalars.number_fields import Element as Number
 
 
 def of_norm(lattice: Lattice, inverse: Number) -> Iterator[Row]:
-    """Yield one of ±x for each x of norm ν, totally positive; 1/ν is given.
+    """Yield one of ±x for each x of totally positive norm ν; 1/ν is given.
 
-    Tr(N(x)/ν) is then the degree of the field. The x are rows over the denominator of the lattice.
+    For such x, Tr(N(x)/ν) is the degree of the field. The elements are rows over the denominator of the
+    lattice.
     """
     integers = lattice.algebra.integers
     den, part = integers.coordinates(inverse)
@@ -25,7 +26,7 @@ def of_norm(lattice: Lattice, inverse: Number) -> Iterator[Row]:
 
 
 def with_trace_and_norm(lattice: Lattice, trace: Sequence[Fraction], norm: Number) -> list[Row]:
-    """Return the elements other than 0, as rows over the denominator; the trace is in the integral basis."""
+    """Return the nonzero elements as rows over the denominator; the trace is given in the integral basis."""
     algebra = lattice.algebra
     field = algebra.integers.field
     if any(sign != 1 for sign in field.signs(norm)):
@@ -48,6 +49,6 @@ def trace_and_norm(algebra: Algebra, x: LatticeElement) -> tuple[list[Fraction],
 
 
 def need_definite(lattice: Lattice) -> None:
-    """Reject unless the norm is totally definite, over a totally real field: Tr(N(x)) is positive."""
+    """Reject unless the norm is totally definite over a totally real field, so that Tr(N(x)) is positive."""
     integers = lattice.algebra.integers
     any(short_vectors(lattice.form(integers.traces(integers.one)), 0))

@@ -1,11 +1,11 @@
 """Check statements about optimal embeddings of quadratic orders in orders over ℤ.
 
-Let pᵉ be the power of p that divides the discriminant of O exactly, and let S = ℤ[x]/(x² − tx + n) be the
-quadratic order of discriminant d. Local embeddings are counted up to conjugation by local units. If the
-Eichler symbol is −1 and e = 1, the algebra ramifies at p and O is maximal there. Then S has 1 − (S/p) local
-embeddings, and none if p divides its conductor. If the symbol is 1, O is an Eichler order of level pᵉ at p.
-Then S has one local embedding for each root of the polynomial modulo pᵉ. If p divides d, roots modulo pᵉ that
-come from roots modulo pᵉ⁺¹ are counted twice (docs/explanation/trust.md).
+Let pᵉ be the exact power of p in the discriminant of O, and let S = ℤ[x]/(x² − tx + n) be the quadratic order
+of discriminant d. Local embeddings are counted up to conjugation by local units. If the Eichler symbol is −1
+and e = 1, the algebra ramifies at p and O is maximal there. Then S has 1 − (S/p) local embeddings, and none
+if p divides its conductor. If the symbol is 1, O is an Eichler order of level pᵉ at p. Then S has one local
+embedding for each root of the polynomial modulo pᵉ. If p divides d, roots modulo pᵉ that come from roots
+modulo pᵉ⁺¹ are counted twice (docs/explanation/trust.md).
 """
 
 from math import gcd, isqrt, prod
@@ -45,9 +45,7 @@ def is_embedded(given: Given, parts: Parts) -> CheckResult:
 
 
 def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
-    """Check that there is no optimal embedding: none at a prime, or none among all elements of trace 0 or
-    1.
-    """
+    """Check that there is no optimal embedding, locally at a prime or among all elements of trace 0 or 1."""
     order, d = given.order(parts[0]), _discriminant(parts[1])
     if "prime" in given.data:
         if "basis" in given.data:
@@ -75,7 +73,7 @@ def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
 def has_orbits(given: Given, parts: Parts) -> CheckResult:
     """Check the number of orbits of embeddings under units of norm 1, for d < 0.
 
-    Their fixed points lie in the domain, and no unit maps one to another.
+    Their fixed points must lie in the domain, and no unit may map one to another.
     """
     order, d = given.order(parts[0]), _discriminant(parts[1])
     if d > 0:
@@ -155,7 +153,7 @@ def _local_types(given: Given, order: Lattice) -> dict[int, tuple[int, int]]:
 
 
 def _number_of_orbits(given: Given, order: Lattice, d: int) -> int:
-    """Return 2·h(d) times the numbers of local embeddings, for an Eichler order; the formula is cited."""
+    """Return 2·h(d) times the numbers of local embeddings, for an Eichler order, by the cited formula."""
     types = _local_types(given, order)
     if types.keys() != factored(order.discriminant).keys():
         reject("the orbits are counted in Eichler orders, and this is none")
@@ -172,7 +170,7 @@ def _local_number(d: int, p: int, e: int, symbol: int) -> int:
 
 
 def _splits_or_is_not_maximal(d: int, p: int) -> bool:
-    """Return whether the field of √d splits at p, or p divides the conductor of the order."""
+    """Return whether p splits in the field of √d, or divides the conductor of the order."""
     if d % (p * p) == 0 and d // (p * p) % 4 < 2:
         return True
     return d % 8 == 1 if p == 2 else d % p != 0 and _is_square(d, p, 1)
@@ -183,7 +181,7 @@ def _is_inert(d: int, p: int) -> bool:
 
 
 def _is_square(d: int, p: int, e: int) -> bool:
-    """Return whether d is a square modulo pᵉ, for p = 2 modulo 2ᵉ⁺²: x² − tx + n has a root modulo pᵉ."""
+    """Return whether x² − tx + n has a root modulo pᵉ: d is a square modulo pᵉ, or for p = 2 modulo 2ᵉ⁺²."""
     e += 2 * (p == 2)
     v = 0
     while v < e and d % p == 0:
@@ -201,7 +199,7 @@ def _polynomial(d: int, x: int) -> int:
 
 
 def _roots(d: int, p: int, e: int) -> list[int]:
-    """Return the roots of x² − tx + n, of discriminant d, modulo pᵉ."""
+    """Return the roots modulo pᵉ of x² − tx + n, a polynomial of discriminant d."""
     spend(p)
     found = [x for x in range(p) if _polynomial(d, x) % p == 0]
     for k in range(1, e):
@@ -210,7 +208,7 @@ def _roots(d: int, p: int, e: int) -> list[int]:
 
 
 def _lifted(d: int, p: int, e: int, roots: list[int]) -> list[int]:
-    """Return the roots modulo pᵉ⁺¹ that are roots modulo pᵉ."""
+    """Return the roots modulo pᵉ⁺¹ above given roots modulo pᵉ."""
     spend(p * len(roots))
     power = p**e
     candidates = (x + power * k for x in roots for k in range(p))

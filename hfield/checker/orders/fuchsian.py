@@ -1,9 +1,9 @@
-"""Check a fundamental polygon of the units of norm 1 of an order that splits at one real place, by its area.
+"""Check by its area a fundamental polygon of the units of norm 1 of an order that splits at one real place.
 
 Points of the hyperbolic plane are elements of trace 0 and positive norm, up to positive factors, on the same
 sheet of the hyperboloid as the centre c. A unit g of norm 1 maps x to g·x·ḡ. Points and lines are rows of
 integers of the field, ordered by the real place. The Dirichlet domain is contained in the polygon of the
-points that are nearer to c than to g·c, for the given units g; if the areas agree they are equal
+points that are nearer to c than to g·c for the given units g; if the areas agree they are equal
 (docs/explanation/trust.md).
 """
 
@@ -30,7 +30,7 @@ MAX_ORDER = 21
 
 
 def area(order: Lattice, primes: Primes) -> Fraction:
-    """Return the area of the plane modulo the units of norm 1 over 2π: Shimizu's formula, which is cited.
+    """Return the area of the plane modulo the units of norm 1, over 2π, by Shimizu's formula (cited).
 
     It is twice the mass, divided by the indices of norms of local units.
     """
@@ -43,7 +43,7 @@ def area(order: Lattice, primes: Primes) -> Fraction:
 
 
 def _norm_index_at_two(order: Lattice) -> int:
-    """Return the index of norms of local units in the units of ℤ₂."""
+    """Return the index of the norms of local units in the units of ℤ₂."""
     if order.algebra.n > 1:
         reject("the area is not known here where an Eichler symbol above 2 is 0")
     spend(40_000)
@@ -58,11 +58,11 @@ def _norm_index_at_two(order: Lattice) -> int:
 
 
 class FundamentalDomain:
-    """The Dirichlet domain of the units of norm 1 around the fixed point of c.
+    """The Dirichlet domain around the fixed point of c, for the units of norm 1.
 
-    Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise. Where
-    the first unit fixes c, the last is its inverse, and the domain is a sector of that polygon: the first and
-    the last side go from c to corners. ``area`` is that of the plane modulo the group, over 2π.
+    Side n lies halfway between c and its image under unit n; units and sides go counterclockwise. If the
+    first unit fixes c, the last is its inverse, and the domain is a sector of that polygon, whose first and
+    last sides connect c with corners. ``area`` is the area of the plane modulo the group, over 2π.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class FundamentalDomain:
             reject("the polygon has not the area of the plane modulo the group")
 
     def _seen_from(self, c: RealRow) -> tuple[RealRow, RealRow, RealRow]:
-        """Return c, some u that anticommutes with c, and c·u, up to positive factors."""
+        """Return c, an element u that anticommutes with c, and c·u, up to positive factors."""
         algebra = self.algebra
         if algebra.pairing(c, (1, 0, 0, 0)) or algebra.pairing(c, c) <= 0:
             reject("the centre is no element of trace 0 and positive norm")
@@ -108,29 +108,30 @@ class FundamentalDomain:
         reject("the centre commutes with everything")
 
     def _moved(self, g: RealRow, x: RealRow) -> RealRow:
-        """Return g·x·ḡ, times the scale of the algebra to the power 3."""
+        """Return g·x·ḡ, multiplied by the third power of the scale of the algebra."""
         return self.algebra.times(self.algebra.times(g, x), self.algebra.conjugate(g))
 
     # --- the polygon ---------------------------------------------------------------------------------
 
     def _far(self, g: RealElement) -> RealRow:
-        """Return g·c − c, up to a positive factor; pairings with it are ≥ 0 where c is as near as g·c."""
+        """Return g·c − c up to a positive factor; its pairing with a point is ≥ 0 if c is as near as g·c."""
         size = g.den * g.den * self.algebra.scale**3
         c = self._axes[0]
         return tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
 
     def _line(self, g: RealElement) -> Vector:
-        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+        """Return the form that is ≥ 0 at points at least as near to c as to g·c: the pairing with g·c − c."""
         far = self._far(g)
         a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
         return (a, b, d)
 
     def _polygon(self, units: Sequence[RealElement]) -> tuple[list[RealRow], list[bool]]:
-        """Return where each side begins, and whether that is at infinity.
+        """Return the starting point of each side, and whether it is at infinity.
 
-        Reject unless the lines bound a convex polygon, in order, with corners at most at infinity. The forms
-        f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane: corners of a convex
-        polygon around 0 if they turn left there, seen from 0 and from one another, once around.
+        Reject unless the lines, in order, bound a convex polygon with corners in the plane or at infinity.
+        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane. They are the
+        corners of a convex polygon around 0 if the path turns left at each of them, also as seen from 0, and
+        winds around once.
         """
         lines = [self._line(g) for g in units]
         if any(f[0] <= 0 for f in lines):
@@ -149,7 +150,7 @@ class FundamentalDomain:
         return corners, [size == 0 for size in sizes]
 
     def _sector(self) -> tuple[list[RealRow], list[bool]]:
-        """Check a sector: the other units, rotated by powers of the last, bound a polygon."""
+        """Check a sector: the other units, rotated by powers of the last one, bound a polygon."""
         rotation, sides = self.units[-1], self.units[1:-1]
         if self._up_to_sign(self._inverse(rotation)) != self._up_to_sign(self.units[0]):
             reject("the first unit fixes the centre, and is not the inverse of the last")
@@ -169,7 +170,9 @@ class FundamentalDomain:
         return RealElement(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
 
     def _paired(self) -> list[int]:
-        """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
+        """Return the side to which each side is mapped by the inverse of its unit; that inverse must be the
+        unit there.
+        """
         places = {self._up_to_sign(g): n for n, g in enumerate(self.units)}
         partners = []
         count = len(self.units)
@@ -190,7 +193,7 @@ class FundamentalDomain:
         return partners
 
     def _up_to_sign(self, g: RealElement) -> tuple[int, RealRow]:
-        """Return a key that g and −g share and no other element has."""
+        """Return a key shared by g and −g only."""
         own = self.algebra.primitive(g.den, g.row)
         first = next((x for x in own.row if x), 0)
         return own.den, tuple(-x for x in own.row) if first < 0 else own.row
@@ -215,7 +218,7 @@ class FundamentalDomain:
             yield Cycle(tuple(path), order)
 
     def _order(self, g: RealElement) -> int:
-        """Return the order of a unit modulo ±1; 0 for a parabolic one."""
+        """Return the order of a unit modulo ±1; 0 for a parabolic unit."""
         trace = self.algebra.pairing(g.row, (1, 0, 0, 0))
         if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
             return 0
@@ -229,10 +232,10 @@ class FundamentalDomain:
     # --- points in it --------------------------------------------------------------------------------
 
     def orbit(self, s: LatticeElement) -> set[RealRow]:
-        """Return the images in the domain of an element of trace 0, by units; over ℚ.
+        """Return the images, under units, in the domain of an element of trace 0; over ℚ.
 
-        Reject unless it stands for a point of the domain, which is none of a sector. Tiles around a point
-        are reached across sides on which it lies.
+        Reject unless it stands for a point of the domain; reject a sector as well. Tiles around a point are
+        reached across sides that contain it.
         """
         if self._is_sector:
             reject("points are compared in a domain, and this is a sector")
@@ -265,7 +268,7 @@ class FundamentalDomain:
 
     @cached_property
     def elliptic(self) -> list[int]:
-        """The orders of the elliptic points, ascending; one is in the middle of a side paired with itself."""
+        """The orders of the elliptic points, ascending; a side paired with itself has one at its midpoint."""
         halves = [2 for n, partner in enumerate(self.partners) if n == partner]
         return sorted([*halves, *(c.order for c in self.cycles if c.order > 1)])
 
@@ -285,7 +288,7 @@ class FundamentalDomain:
         generators: Sequence[LatticeElement],
         relations: Sequence[Word],
     ) -> None:
-        """Reject unless the group has this signature, and this is the presentation that the domain gives."""
+        """Reject unless the group has this signature, and the presentation obtained from the domain."""
         if signature != (self.genus, self.elliptic, Fraction(self.cusps)):
             reject("the group has another signature")
         own = [self.algebra.element(x.den, x.row) for x in generators]
@@ -293,7 +296,9 @@ class FundamentalDomain:
             reject("this is not the presentation that the domain gives")
 
     def presentation(self) -> tuple[list[RealElement], list[Word]]:
-        """Return generators and relations: of the sides, less those that a relation expresses by others."""
+        """Return generators and relations from the sides, after eliminating generators that a relation
+        expresses by others.
+        """
         letters: dict[int, int] = {}
         for n, partner in enumerate(self.partners):
             if n not in letters:
@@ -315,19 +320,19 @@ class FundamentalDomain:
 
 @dataclass(frozen=True)
 class Cycle:
-    """A corner up to the group: the sides around it, and the order of its stabiliser, 0 at a cusp."""
+    """A corner up to the group: the sides around it, and the order of its stabiliser (0 at a cusp)."""
 
     sides: tuple[int, ...]
     order: int
 
 
 def times_axes(x: Sequence[RealNumber], axes: Sequence[RealRow]) -> RealRow:
-    """Return a combination of rows."""
+    """Return a linear combination of rows."""
     return tuple(sum(a * v[k] for a, v in zip(x, axes, strict=True)) for k in range(4))
 
 
 def _meeting(f: Vector, g: Vector) -> Vector:
-    """Return the point where two lines meet."""
+    """Return the intersection of two lines."""
     return (
         f[1] * g[2] - f[2] * g[1],
         f[2] * g[0] - f[0] * g[2],
@@ -340,6 +345,6 @@ def _dot(f: Vector, x: Vector) -> RealNumber:
 
 
 def _same_point(x: RealRow, y: RealRow) -> bool:
-    """Return whether coordinates are multiples of one another; on one sheet the factor is positive."""
+    """Return whether coordinates are proportional; on one sheet the factor is positive."""
     n = next(n for n, c in enumerate(y) if c)
     return all(x[n] * b == a * y[n] for a, b in zip(x, y, strict=True))

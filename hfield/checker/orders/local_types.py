@@ -1,4 +1,4 @@
-"""The local types of an order: its Eichler symbols, and the mass that follows from them."""
+"""The local types of an order: its Eichler symbols, and the mass computed from them."""
 
 from fractions import Fraction
 
@@ -13,7 +13,7 @@ from hfield.checker.orders.lattice import Lattice
 def mass(order: Lattice, primes: Primes) -> Fraction:
     """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, divided by the class number of the field.
 
-    It is found by ζ_K(−1) and Eichler symbols; both formulas are cited.
+    It is computed from ζ_K(−1) and Eichler symbols; both formulas are cited.
     """
     algebra = order.algebra
     found: Fraction = (
@@ -36,16 +36,17 @@ def _entry(order: Lattice, a: int, b: int) -> Row:
 
 
 def _divides(order: Lattice, P: Prime) -> bool:
-    """Return whether a prime divides the discriminant: the trace form is degenerate there."""
+    """Return whether a prime divides the discriminant, that is, the trace form is degenerate modulo it."""
     size = range(order.algebra.size)
     rows = [[c for b in size for c in remainder(_entry(order, a, b), P.span, P.p)] for a in size]
     return len(echelon(rows, P.p)) < 4 * P.degree
 
 
 def _eichler_symbol(order: Lattice, P: Prime) -> int:
-    """Return the Eichler symbol: that of the polynomial of some basis element with two roots, or 0.
+    """Return the Eichler symbol: the symbol of the polynomial of some basis element with distinct roots, or
+    0.
 
-    It tells whether these are in the residue field (docs/explanation/trust.md).
+    The symbol says whether the roots lie in the residue field (docs/explanation/trust.md).
     """
     algebra, p, q = order.algebra, P.p, P.norm
     integers, den = algebra.integers, algebra.scale * order.den

@@ -8,11 +8,11 @@ function f is new if it is orthogonal to functions of the norm, in weight 2, and
 order O′ in which O has prime index vanishes: the sum of f(J) over the J with J·O′ = L, for each right ideal L
 of O′. At a prime of the level there are two such orders.
 
-The ideals J are given as c·I, where I represents a class. The list of the J is complete if they are
-different and their number is the expected one. An orbit of newforms is given by the values of an eigenvector
-in the field of the orbit. If a combination of Hecke operators has different eigenvalues on all these
-eigenvectors and their conjugates, they are independent. They span the new functions if their number is the
-dimension; equations modulo a prime give an upper bound of it (docs/explanation/trust.md).
+The ideals J are given as c·I, where I represents a class. The list of the J is complete if they are distinct
+and have the expected number. An orbit of newforms is given by the values of an eigenvector in the field of
+the orbit. If a combination of Hecke operators has distinct eigenvalues on all these eigenvectors and their
+conjugates, they are independent. They span the new functions if their number is the dimension; equations
+modulo a prime give an upper bound for it (docs/explanation/trust.md).
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -304,7 +304,7 @@ class FunctionsOnClasses:
         return kernel(wide, p)
 
     def equations(self, value: object) -> list[Sum]:
-        """Read the linear equations of new functions, by the orders of which this one has prime index."""
+        """Read the linear equations of new functions, from the orders in which this order has prime index."""
         common = lcm(*self.units)
         found: list[Sum] = []
         for kind in sorted(set(self.kinds)) if not self.values.degree else ():
@@ -325,7 +325,7 @@ class FunctionsOnClasses:
         return found
 
     def _prime_of_index(self, above: Lattice) -> Prime:
-        """Return the prime of the level at which an order is larger; reject other lattices."""
+        """Return the prime of the level at which an order is larger than this one; reject other lattices."""
         one = self.order.algebra.number(self.order.algebra.integers.one)
         if not (
             above.holds(1, [one])
@@ -342,7 +342,7 @@ class FunctionsOnClasses:
         reject("an order above has no prime index at a prime of the level")
 
     def _traces(self, above: Lattice, P: Prime, values: Sequence[object]) -> Iterator[Sum]:
-        """Yield the sums over the ideals J with J·O′ = L, for an L of each class."""
+        """Yield the sums over the ideals J with J·O′ = L, for one L in each class."""
         in_level = P in [Q for Q, _ in symbols(above, self.given.primes)]
         number = P.norm if in_level else P.norm + 1
         classes: set[int] = set()
@@ -432,7 +432,7 @@ class Orbit:
             reject("an eigenvalue is not seen: the eigenvector is 0 where the operator is given")
 
     def characteristic(self, weights: Sequence[int]) -> list[int]:
-        """Return the characteristic polynomial of the eigenvalue of the operator, by Newton's identities."""
+        """Return the characteristic polynomial of the operator's eigenvalue, by Newton's identities."""
         field, x = self.field, self.field.zero
         for c, a in zip(weights, self.eigenvalues, strict=True):
             x = field.add(x, field.mul(field.number(c), a))
@@ -472,7 +472,7 @@ def _by_power_sums(sums: Sequence[Fraction]) -> list[int]:
 
 
 def _need_different(polynomials: Sequence[Sequence[int]], p: int) -> None:
-    """Reject unless polynomials have different roots modulo p, all together."""
+    """Reject unless all roots modulo p of all these polynomials together are distinct."""
     whole = [1]
     for f in polynomials:
         spend(len(whole) * len(f))

@@ -37,13 +37,13 @@ class PolynomialIntegers:
 
     @property
     def order(self) -> int:
-        """The number q of constants."""
+        """The number q of elements of the constant field."""
         return self.base.order
 
     def coordinates(
         self, x: Sequence[Function[Hashable]]
     ) -> tuple[FiniteFieldPolynomial, PolynomialRow]:
-        """Return a function, a row of one entry, as a polynomial over a monic denominator."""
+        """Return a rational function, in a row of one entry, as a polynomial over a monic denominator."""
         top, below = (FiniteFieldPolynomial(self.base, dense(part, self.base)) for part in x[0])
         scale = below.to_normal
         return below * scale, (top * scale,)
@@ -55,7 +55,7 @@ class PolynomialIntegers:
         return (x[0] * y[0],)
 
     def matrix(self, x: Sequence[FiniteFieldPolynomial]) -> list[PolynomialRow]:
-        """Return the matrix of the multiplication by x."""
+        """Return the matrix of multiplication by x."""
         row: PolynomialRow = tuple(x)
         return [row]
 
@@ -64,7 +64,7 @@ class PolynomialIntegers:
         return x[0]
 
     def of_degree_below(self, bound: int) -> Iterator[FiniteFieldPolynomial]:
-        """Yield all polynomials of a degree below a bound."""
+        """Yield all polynomials of degree below a bound."""
         spend(self.order)
         for coefficients in product(*[list(self.base.elements())] * max(bound, 0)):
             spend(2 + bound)

@@ -1,4 +1,4 @@
-"""Lattices over GF(q)[t]: reduced bases, elements of least or given degree, Eichler symbols and masses.
+"""Lattices over GF(q)[t]: reduced bases, elements of least or given degree, Eichler symbols, masses.
 
 A basis b is reduced if the degree of N(Σ cₙ·bₙ) is always the largest of the degrees of N(cₙ·bₙ). The leading
 coefficients prove this, and also that the algebra ramifies at infinity (docs/explanation/trust.md).
@@ -26,7 +26,7 @@ class PolynomialElement(ElementOf[FiniteFieldPolynomial]):
 
 
 class PolynomialLattice(LatticeOf[FiniteFieldPolynomial]):
-    """The combinations of four independent rows over ``den``, with polynomials for coefficients."""
+    """The combinations of four independent rows over ``den`` with polynomials as coefficients."""
 
     algebra: PolynomialAlgebra
     volume: RationalFunction
@@ -38,12 +38,12 @@ class PolynomialLattice(LatticeOf[FiniteFieldPolynomial]):
 
     @cached_property
     def norms(self) -> list[PolynomialRow]:
-        """The norms of the rows, :attr:`unit` times too large."""
+        """The norms of the rows, multiplied by :attr:`unit`."""
         return [(self.algebra.norm(row),) for row in self.rows]
 
     @cached_property
     def degrees(self) -> list[int]:
-        """The degrees of :attr:`norms` for a reduced basis. Raises :class:`Rejected` for any other."""
+        """The degrees of :attr:`norms` for a reduced basis. Raises :class:`Rejected` for other bases."""
         base, norms = self.polynomials.base, [x for (x,) in self.norms]
         (traces,), degrees = self.gram, [x.degree for x in norms]
         if not all(norms):
@@ -67,7 +67,7 @@ class PolynomialLattice(LatticeOf[FiniteFieldPolynomial]):
         return degrees
 
     def up_to_degree(self, degree: int) -> Iterator[PolynomialRow]:
-        """Yield all elements for which :attr:`unit` times the norm has at most a degree."""
+        """Yield all elements for which :attr:`unit` times the norm has at most a given degree."""
         bounds = [(degree - own) // 2 + 1 for own in self.degrees]
         spend(self.polynomials.order ** max(max(bounds), 0))  # lists of polynomials
         choices = [list(self.polynomials.of_degree_below(bound)) for bound in bounds]
@@ -93,7 +93,8 @@ class PolynomialLattice(LatticeOf[FiniteFieldPolynomial]):
 
 
 def divided_by_least(lattice: PolynomialLattice) -> tuple[set[PolynomialKey], int]:
-    """Return the x⁻¹·I for the x in I with norms of least degree, and how many x modulo GF(q)ˣ each has.
+    """Return the lattices x⁻¹·I for the x in I with norms of least degree, and for each the number of x
+    modulo GF(q)ˣ.
 
     That number is the index of GF(q)ˣ in the units of the left order of I.
     """
@@ -118,9 +119,9 @@ def mass(
     order: PolynomialLattice,
     primes: Sequence[tuple[FiniteFieldPolynomial, QuotientField[Hashable]]],
 ) -> Fraction:
-    """Return Σ 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes, by the formula that is cited.
+    """Return Σ 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes, by the cited formula.
 
-    The primes of the discriminant have to be given.
+    The primes of the discriminant must be given.
     """
     rest, q = order.discriminant, order.polynomials.order
     spend((1 + len(primes)) * (rest.degree * q.bit_length()) ** 2 // 100_000)
@@ -141,7 +142,9 @@ def mass(
 
 
 def _eichler_symbol(order: PolynomialLattice, residues: QuotientField[Hashable]) -> int:
-    """Return the Eichler symbol: that of the polynomial of some basis element with two roots, or 0."""
+    """Return the Eichler symbol: the symbol of the polynomial of some basis element with distinct roots, or
+    0.
+    """
     den = order.den * order.algebra.scale
     for row, (norm,) in zip(order.rows, order.norms, strict=True):
         t = residues.reduce((order.algebra.trace(row)[0] // den).coefficients)

@@ -1,6 +1,6 @@
 """Presentations of groups: eliminate redundant generators (Tietze).
 
-A word is a tuple of ±1, ±2, …, for the generators and their inverses.
+A word is a tuple of ±1, ±2, …, which stand for the generators and their inverses.
 """
 
 from collections.abc import Iterable

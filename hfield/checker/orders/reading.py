@@ -1,4 +1,4 @@
-"""Read statements and evidence about orders, over ℚ, a number field and the functions over a finite field.
+"""Read statements and evidence about orders, over ℚ, a number field or a rational function field.
 
 Over ℚ numbers are fractions. Over a number field the evidence also has an integral basis, the units and the
 prime ideals. Over function fields the evidence has the same notation as statements.
@@ -101,11 +101,11 @@ class OverNumberFields(Given, ABC):
     @property
     @abstractmethod
     def primes(self) -> Primes:
-        """The primes of the base, known or given, as the mass formula needs them."""
+        """The primes of the base, known or given, that the mass formula needs."""
 
     @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
-        """Read elements of the statement, as coordinates in the integral basis."""
+        """Read elements of the statement as coordinates in the integral basis."""
 
     @abstractmethod
     def primes_named(self, text: str) -> list[Prime]:
@@ -116,11 +116,11 @@ class OverNumberFields(Given, ABC):
         """Read an element of the evidence."""
 
     def whole(self, text: str, what: str) -> int:
-        """Read a number by which statements name an integral ideal of the base."""
+        """Read a number that stands for an integral ideal of the base in statements."""
         return a_whole_number(text, what)
 
     def fraction(self, text: str) -> Fraction:
-        """Read a number by which statements name an ideal of the base."""
+        """Read a number that stands for an ideal of the base in statements."""
         return a_rational(text)
 
     def mass(self, order: Lattice) -> Fraction:
@@ -128,11 +128,11 @@ class OverNumberFields(Given, ABC):
         return local_types.mass(order, self.primes) * self.class_number
 
     def divided(self, ideal: Lattice, scale: Number) -> tuple[set[Key], int]:
-        """Return the lattices by which a class is recognised, and an index of units."""
+        """Return the lattices that identify a class, and an index of units."""
         return divided_by_least(self.units, ideal, scale)
 
     def images(self, order: Lattice, x: LatticeElement) -> list[Row]:
-        """Return the elements of an order with the trace and the norm of an element, over its denominator."""
+        """Return the elements of an order with the trace and norm of x, as rows over its denominator."""
         return with_trace_and_norm(order, *trace_and_norm(self.algebra, x))
 
     def lattice(self, text: str) -> Lattice:
@@ -199,7 +199,7 @@ class OverQ(OverNumberFields):
         return [P for p in found for P in self.primes.at(p)]
 
     def element(self, value: object) -> LatticeElement:
-        """Read four texts."""
+        """Read an element from four texts."""
         found = [a_rational(x) for x in texts(value, "an element")]
         if len(found) != 4:
             reject("an element has four coordinates")
@@ -209,7 +209,9 @@ class OverQ(OverNumberFields):
     def quotient(
         self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
     ) -> Number | None:
-        """Return 1/|N(c)| of a c that would carry one lattice to the other; None where no c has it."""
+        """Return 1/|N(c)| for an element c that would map one lattice to the other; None if no element has
+        this norm.
+        """
         size = root(second.volume / first.volume)
         if size is None or (size / index(between().norm)).denominator != 1:
             return None
@@ -303,9 +305,10 @@ class OverField(OverNumberFields):
     def quotient(
         self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
     ) -> Number | None:
-        """Return 1/ν, where ν is totally positive and generates N(M)/N(L); None where there is no ν.
+        """Return 1/ν for a totally positive generator ν of N(M)/N(L), or None if there is none.
 
-        J = I·c makes N(c) such a generator, in a totally definite algebra: ν up to units of the field.
+        In a totally definite algebra, J = I·c implies that N(c) is such a generator: ν up to squares of
+        units.
         """
         narrow = self.narrow
         for lattice in (first, second):
@@ -327,11 +330,11 @@ class OverField(OverNumberFields):
         return inverse
 
     def between(self, lattice: Lattice, side: str) -> Lattice:
-        """Read a basis of {x: L·x ⊆ M} for the ``left`` side; for the right, of the conjugates."""
+        """Read a basis of {x: L·x ⊆ M} for the ``left`` side; for the right side, of the conjugates."""
         return self.basis(lattice if side == "left" else lattice.conjugate, self.data["between"])
 
     def classes(self, values: Sequence[object]) -> Iterator[tuple[Lattice, Number, int]]:
-        """Read ideals with their norms: ν, times one of the ideals of the narrow classes."""
+        """Read ideals with their norms: ν times one of the ideals of the narrow classes."""
         narrow, n = self.narrow, self.algebra.n
         norms = narrow.classes(self.data.get("narrow"))
         whole = 1, tuple(unit(n, k) for k in range(n))
@@ -349,7 +352,7 @@ class OverField(OverNumberFields):
             yield ideal, inverse, kind
 
     def real_algebra(self) -> RealAlgebra:
-        """Return the algebra at the only real place where it splits, of a totally real field."""
+        """Return the algebra at the only real place where it splits; the field is totally real."""
         algebra = self.algebra
         integers = algebra.integers
         roots = real_roots(integers.field.modulus)
@@ -372,7 +375,7 @@ class OverPolynomials(Given):
 
     @cached_property
     def primes(self) -> list[tuple[FiniteFieldPolynomial, QuotientField[Hashable]]]:
-        """The primes that are given, with their residue fields."""
+        """The given primes, with their residue fields."""
         return list(map(self.polynomials.prime, texts(self.data["primes"], "the primes")))
 
     def coordinates(self, text: str) -> Sequence[Sequence[Function[Hashable]]]:
@@ -410,7 +413,7 @@ class OverPolynomials(Given):
         return found
 
     def element(self, value: object) -> PolynomialElement:
-        """Read an element, which is not 0."""
+        """Read a nonzero element."""
         den, rows = self._rows(a_text(value, "an element"))
         if len(rows) != 1 or not any(rows[0]):
             reject("an element is four functions, not all of them 0")
@@ -442,7 +445,7 @@ class OverPolynomials(Given):
         return polynomial_lattices.mass(order, self.primes)
 
     def divided(self, ideal: PolynomialLattice, scale: None) -> tuple[set[PolynomialKey], int]:
-        """Return the lattices by which a class is recognised, and an index of units."""
+        """Return the lattices that identify a class, and an index of units."""
         return polynomial_lattices.divided_by_least(ideal)
 
     def classes(self, values: Sequence[object]) -> Iterator[tuple[PolynomialLattice, None, int]]:
@@ -451,7 +454,7 @@ class OverPolynomials(Given):
             yield self.lattice(a_text(value, "an ideal")), None, 0
 
     def images(self, order: PolynomialLattice, x: PolynomialElement) -> list[PolynomialRow]:
-        """Return the elements of an order with the trace and the norm of an element, over its denominator."""
+        """Return the elements of an order with the trace and norm of x, as rows over its denominator."""
         return polynomial_lattices.with_trace_and_norm_of(order, x)
 
 

@@ -1,4 +1,4 @@
-"""The algebra at a real place: elements are rows of four numbers of an ordered ring, over ℚ of integers."""
+"""The algebra at a real place: elements are rows of four numbers of an ordered ring (over ℚ, integers)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class RealElement:
 
 
 class RealAlgebra:
-    """Products, conjugates and pairings of such rows; all of them come ``scale`` times too large."""
+    """Products, conjugates and pairings of such rows, all of them multiplied by ``scale``."""
 
     def __init__(self, algebra: Algebra, place: RealPlace | None = None) -> None:
         """Build the tables; over ℚ there is one place, which need not be given."""
@@ -37,18 +37,18 @@ class RealAlgebra:
         self.bits = longest([*self.form, *left])
 
     def _number(self, row: Row) -> RealNumber:
-        """Return an integer of the field."""
+        """Return an integer of the field as a real number."""
         return row[0] if self._place is None else Real(self._place, row)
 
     def _constant(self, row: Row) -> RealNumber:
-        """Return an integer of the field; one of ℚ, which is quickly multiplied by, as such."""
+        """Return an integer of the field; over ℚ as a Python integer, by which multiplication is fast."""
         one = self.algebra.integers.one
         k = next(k for k, c in enumerate(one) if c)
         c = row[k] // one[k]
         return c if tuple(c * x for x in one) == row else self._number(row)
 
     def element(self, den: int, row: Sequence[int]) -> RealElement:
-        """Return an element of coordinates over ℤ, in lowest terms."""
+        """Return an element from coordinates over ℤ, in lowest terms."""
         common, n = gcd(den, *row), self.algebra.n
         own = [c // common for c in row]
         numbers = (self._number(tuple(own[k : k + n])) for k in range(0, 4 * n, n))

@@ -1,6 +1,6 @@
 """Check statements about orders, ideals and units, over any base.
 
-Each check takes a reader, which knows the evidence, and the parts of the statement.
+Each check has two arguments: a reader of the evidence, and the parts of the statement.
 """
 
 from fractions import Fraction
@@ -89,7 +89,7 @@ def has_units(given: Given, parts: Parts) -> CheckResult:
 
 
 def has_unit_index(given: OverPolynomials, parts: Parts) -> CheckResult:
-    """Check the number of units: the elements whose norms, which are polynomials, have the degree 0."""
+    """Check the number of units: elements whose norm is a polynomial of degree 0."""
     order = given.basis(given.order(parts[0]), given.data["order"])
     if len(order.least()) != a_whole_number(parts[1], "the number of units"):
         reject("the order has another number of units modulo the constants")
@@ -109,7 +109,9 @@ def are_equivalent(given: G, parts: Parts) -> CheckResult:
 
 
 def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
-    """Check that no element c carries one lattice onto the other: none has the norm, or none can have it."""
+    """Check that no element c maps one lattice onto the other: no element has the norm, or the norm is
+    impossible.
+    """
     side = a_side(parts[0])
     first, second = map(given.lattice, parts[1:])
     between = cache(partial(first.into, second, side))
@@ -130,7 +132,7 @@ def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
 
 
 def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckResult:
-    """Check that no element with a norm of least degree carries one lattice onto the other."""
+    """Check that no element with a norm of least degree maps one lattice onto the other."""
     side = a_side(parts[0])
     first, second = map(given.lattice, parts[1:])
     between = given.basis(first.into(second, side), given.data["between"])
@@ -169,7 +171,7 @@ def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
 
 
 def have_no_images(given: G, parts: Parts) -> CheckResult:
-    """Check that there is no isomorphism: no images of two generators of the algebra fit."""
+    """Check that there is no isomorphism: no elements can be the images of two generators of the algebra."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"pair", "order"}):
         return CheckResult(FIELD, DISCRIMINANT)
@@ -201,8 +203,8 @@ def _have_other_discriminants(
     second: LatticeOf[N],
     keys: set[str],
 ) -> bool:
-    """Return whether the discriminants differ; the evidence has these keys where they do not, and else
-    none.
+    """Return whether the discriminants differ; the evidence must have these keys if they agree, and none
+    otherwise.
     """
     if first.discriminant != second.discriminant:
         if given.data.keys() & keys:
@@ -214,7 +216,7 @@ def _have_other_discriminants(
 
 
 def with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[Row]:
-    """Return the elements of an order with a trace and a norm that are integers."""
+    """Return the elements of an order with a given trace and norm that are integers."""
     integers = order.algebra.integers
     return with_trace_and_norm(
         order, [Fraction(trace * c) for c in integers.one], integers.field.number(norm)
@@ -256,7 +258,7 @@ def is_class_set(given: G, parts: Parts) -> CheckResult:
 
 
 def is_domain(given: Given, parts: Parts) -> CheckResult:
-    """The units g of norm 1 bound the domain of all around the centre."""
+    """Check that the units g of norm 1 bound the Dirichlet domain around the centre."""
     order, plane = given.order(parts[0]), given.real_algebra()
     center = given.elements(parts[1])
     if len(center) != 1:
@@ -266,7 +268,7 @@ def is_domain(given: Given, parts: Parts) -> CheckResult:
 
 
 def is_group(given: Given, parts: Parts) -> CheckResult:
-    """The units of norm 1 modulo ±1 have this signature and this presentation."""
+    """Check that the units of norm 1 modulo ±1 have this signature and this presentation."""
     order, plane = given.order(parts[0]), given.real_algebra()
     center = given.element(given.data["center"])
     units = [given.element(x) for x in a_list(given.data["units"], "units")]

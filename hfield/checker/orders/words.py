@@ -1,4 +1,4 @@
-"""The words of statements about orders over three kinds of base, and the evidence that decides them.
+"""The words of statements about orders over three kinds of base, and their checks.
 
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
 ``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·
@@ -171,7 +171,7 @@ def _established(
 
 
 def order_meaning(word: str, parts: tuple[str, ...]) -> Meaning:
-    """Return what a statement over ℚ says, however it is written; a basis is not changed."""
+    """Return the meaning of a statement over ℚ, independent of notation; a basis is not changed."""
     readers = PARTS[word]
     if len(parts) not in (len(readers), len(readers) - OPTIONAL.get(word, 0)):
         reject(f"{word} has not {len(parts)} parts")
@@ -179,7 +179,7 @@ def order_meaning(word: str, parts: tuple[str, ...]) -> Meaning:
 
 
 def need_order_meaning(word: str, parts: tuple[str, ...], setting: Setting) -> None:
-    """Reject a statement over ℚ that has no meaning."""
+    """Reject a statement over ℚ without a meaning."""
     order_meaning(word, parts)
     OverQ(setting, {})
 

@@ -1,1 +1,1 @@
-"""The base rings of the checker, on plain, hashable values: one module a kind, which ``fields`` lists."""
+"""The base rings of the checker, on plain, hashable values; each kind is a module listed in ``fields``."""

@@ -1,6 +1,6 @@
-"""F(cos(t), sin(t), …): by half tangents τ: cos(t) = (1 − τ²)/(1 + τ²), sin(t) = 2τ/(1 + τ²).
+"""F(cos(t), sin(t), …) by half-angle tangents τ: cos(t) = (1 − τ²)/(1 + τ²), sin(t) = 2τ/(1 + τ²).
 
-Several angles, and variables besides, are functions over functions: one variable after the other.
+Several angles, and other variables, are function fields over function fields, one variable after another.
 """
 
 import re
@@ -22,7 +22,7 @@ Element = Quotient[Hashable]
 
 
 class Circles(Functions[Hashable]):
-    """The rational functions in ``names`` and in the tangents of the halves of t/n, for pairs (t, n)."""
+    """The rational functions in ``names`` and in the half-angle tangents of t/n, for pairs (t, n)."""
 
     def __init__(
         self, base: AnyRing, angles: list[tuple[str, int]], names: tuple[str, ...]
@@ -75,7 +75,7 @@ class Circles(Functions[Hashable]):
         return cosine if tree[1] == "cos" else sine
 
     def _turned(self, counts: Mapping[str, Fraction]) -> tuple[Element, Element]:
-        """Return real and imaginary part of the product of (1 ± τ·I) to the powers in ``counts``."""
+        """Return the real and imaginary parts of the product of (1 ± τ·I) to the powers in ``counts``."""
         x, y = self.one, self.zero
         for t, count in counts.items():
             tangent = self.tangents[t]
@@ -93,7 +93,7 @@ class Circles(Functions[Hashable]):
 
 
 def _angle(tree: Tree) -> dict[str, Fraction] | None:
-    """Return the multiples of names in a linear combination of them, None for all else."""
+    """Return the coefficients in a linear combination of names, or None for anything else."""
     if tree[0] == "name":
         return {tree[1]: Fraction(1)}
     if tree[0] == "neg":

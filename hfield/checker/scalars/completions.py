@@ -1,10 +1,9 @@
-"""Completions at a place: ``Qp(5)``, ``GF(9)((t))``, ``QQ(sqrt(2))_inf-``; elements of the global field
-only.
+"""Completions at a place: ``Qp(5)``, ``GF(9)((t))``, ``QQ(sqrt(2))_inf-``; only elements of the global field.
 
-Elements are those of the global field, on which the completion computes as it does. What is shown at the
-place of the norm over the global field holds over the completion, where valuation and residues are the same.
-An ordering or a level of the global field is none of the completion, so nothing else is known here, but
-the one ordering of the completion at a real place.
+The elements are those of the global field, with its arithmetic. What is proved about the norm over the global
+field at the place holds over the completion, where valuation and residues are the same. An ordering or a
+level of the global field is not one of the completion, so nothing else is known here, except the one ordering
+of the completion at a real place.
 """
 
 from collections.abc import Mapping
@@ -24,7 +23,7 @@ from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 
 class Completion(Ring[E]):
-    """The completion of a global field, of which only elements of the global field are named."""
+    """The completion of a global field; only elements of the global field can be named."""
 
     is_field = True
 
@@ -58,7 +57,7 @@ class Completion(Ring[E]):
         return self.base.is_zero(x)
 
     def constant(self, tree: Tree) -> E | None:
-        """Return the meaning of a name or call in the global field; O(…) has none."""
+        """Return the value of a name or call in the global field; O(…) has none."""
         return self.base.constant(tree)
 
 
@@ -76,14 +75,14 @@ class AtPrime(Completion[E], Generic[E, R]):
             self.words = f"the completion of {base.name} at {base.variable} = 0, the Laurent series"
 
     def place(self, data: object) -> Place[E, R]:
-        """Return the one place."""
+        """Return the place of the completion."""
         found = self.base.place(data)
         if found.name != self.only.name:
             reject(f"{self.name} has one place, and {shown(found.name)} is not it")
         return self.only
 
     def is_square(self, x: E) -> bool:
-        """Prove that x is not a square: its valuation is odd, or its residue is not a square."""
+        """Prove that x is not a square, because its valuation is odd or its residue is not a square."""
         over = self.only.residue(self.mul(x, self.base.need_inverse(self.only.odd)))
         if over is not None and self.only.is_unit(over):
             return False
@@ -96,7 +95,7 @@ class AtPrime(Completion[E], Generic[E, R]):
 
 
 class AtRealRoot(Completion[E]):
-    """The real numbers with an embedded number field, whose signs are those of one of its orderings."""
+    """The real numbers with an embedded number field; its elements have the signs of one of its orderings."""
 
     def __init__(self, base: Ring[E], name: str, which: str, number: int) -> None:
         super().__init__(base, f"the real place where {which}")
@@ -107,7 +106,7 @@ class AtRealRoot(Completion[E]):
         return self.base.signs(x)[self.number_of_signs]
 
     def is_square(self, x: E) -> bool:
-        """Return whether x is not negative."""
+        """Return whether x is nonnegative."""
         return self.is_zero(x) or self.sign(x) == 1
 
 
@@ -132,7 +131,9 @@ def _completion(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
 
 
 def _real(base: AnyRing, number: int) -> AnyRing:
-    """Return the completion at the real root of that number, ascending; of ℚ(√d) where √d is negative."""
+    """Return the completion at the real root with a number, ascending from 0; for ℚ(√d), 0 means
+    that √d < 0.
+    """
     if isinstance(base, Quadratic) and base.d > 0 and number == 0:
         return AtRealRoot(base, "inf-", f"{base.gen} is negative", 1)
     if isinstance(base, NumberField):

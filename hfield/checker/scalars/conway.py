@@ -1,7 +1,7 @@
-"""Conway's polynomials, the moduli of GF(q) where none is given, for q up to 4096, low degree first.
+"""Conway's polynomials, the default moduli of GF(q), for q up to 4096, low degree first.
 
-Which polynomial it is decides what the generator x stands for. That it makes a field is not taken
-from here: the checker tests every modulus it uses.
+The polynomial determines the meaning of the generator x. The checker tests that every modulus it uses defines
+a field, so this table is not trusted for that.
 """
 
 CONWAY: dict[int, str] = {

@@ -1,4 +1,4 @@
-"""Build rings from their data, each kind by the module that implements it."""
+"""Build rings from their data, each kind with the module that implements it."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""ℤ/n and GF(pⁿ), written out in integers; moduli are proved irreducible by Rabin's test."""
+"""The rings ℤ/n and GF(pⁿ) in integer arithmetic; moduli are proved irreducible by Rabin's test."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
@@ -13,7 +13,7 @@ from hfield.checker.scalars.ring import AnyRing, Kind, ReadRing, Ring
 
 MAX_BITS = 512
 MAX_DEGREE = 64
-LONG_NUMBER_BITS = 256  # bits: what is no longer takes no time
+LONG_NUMBER_BITS = 256  # bits: shorter numbers cost no time
 # Miller–Rabin with these bases is a proof below the bound (Sorenson and Webster 2015).
 _BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
 
@@ -45,7 +45,7 @@ def is_prime(n: int) -> bool:
 
 
 class Finite(Ring[E]):
-    """The common part of finite fields and ℤ/n."""
+    """The common base class of finite fields and ℤ/n."""
 
     order: int
     digits = 1  # the coefficients of an element
@@ -62,14 +62,17 @@ class Finite(Ring[E]):
         return self.is_zero(x) or q % 2 == 0 or self.equal(self.power(x, (q - 1) // 2), self.one)
 
     def level_above(self, bound: int) -> bool:
-        """−1 is a sum of two squares, and of one unless q ≡ 3 modulo 4."""
+        """Return whether −1 is not a sum of ``bound`` squares: it is one of two, and a square unless q ≡ 3
+        modulo 4.
+        """
         return bound < 1 or (self.is_field and bound == 1 and self.order % 4 == 3)
 
     def is_irreducible(self, trace: E, norm: E) -> bool:
         """Return whether X² − trace·X + norm has no root in the field.
 
-        In odd characteristic this holds when trace² − 4·norm is a nonsquare, in characteristic 2 when trace
-        is not 0 and z² + z = norm/trace² has no solution: when norm/trace² has the trace 1 down to GF(2).
+        In odd characteristic this holds if trace² − 4·norm is a nonsquare. In characteristic 2 it holds if
+        trace is not 0 and z² + z = norm/trace² has no solution, that is, norm/trace² has the trace 1 down to
+        GF(2).
         """
         if self.characteristic != 2:
             return self.has_no_root([norm, self.neg(trace), self.one])
@@ -85,7 +88,7 @@ class Finite(Ring[E]):
 
 
 class Residues(Finite[int]):
-    """ℤ/n, which is the field GF(p) for a prime n."""
+    """The ring ℤ/n, which is the field GF(p) for a prime n."""
 
     def __init__(self, n: int, is_field: bool, name: str) -> None:
         self.characteristic = self.order = n
@@ -141,10 +144,11 @@ Digits = tuple[int, ...]
 
 
 class Extension(Finite[Digits]):
-    """GF(pⁿ) as polynomials in x modulo ``modulus`` (n + 1 numbers from 0 to p − 1, low degree first, monic).
+    """The field GF(pⁿ): polynomials in x modulo ``modulus``, a monic list of n + 1 integers, low degree
+    first.
 
-    The name leaves Conway's polynomial out. Above 4096, where that is not known here, a field without a
-    modulus has the plain name, and of it only the elements of GF(p) can be named.
+    The name omits Conway's polynomial. For q above 4096, where that polynomial is not known here, a field
+    without a modulus has the plain name, and only the elements of GF(p) in it can be named.
     """
 
     is_field = True
@@ -229,7 +233,7 @@ class Extension(Finite[Digits]):
         return self.power(x, self.characteristic**self.degree - 2)
 
     def constant(self, tree: Tree) -> Digits | None:
-        """Return the class of x for its name."""
+        """Return the class of x for the name of the generator."""
         if tree != ("name", "x"):
             return None
         if self.modulus is None:
@@ -241,7 +245,9 @@ class Extension(Finite[Digits]):
         return product(range(self.characteristic), repeat=self.degree)
 
     def _irreducible(self) -> bool:
-        """Rabin: x^(p^n) = x, and x^(p^(n/r)) − x is prime to the modulus for every prime r | n."""
+        """Return whether the modulus is irreducible (Rabin): x^(p^n) = x, and x^(p^(n/r)) − x is prime to it
+        for primes r | n.
+        """
         n, p = self.degree, self.characteristic
         x: Digits = (0, 1, *(0,) * (n - 2))
         powers, y = [x], x
@@ -281,7 +287,7 @@ def _residues(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
 
 
 def _galois_field(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
-    """GF(p), or GF(pⁿ) with its modulus."""
+    """Return GF(p), or GF(pⁿ) with its modulus."""
     plain(data, "characteristic degree modulus")
     p = an_integer(data["characteristic"], "the characteristic", 2)
     n = an_integer(data["degree"], "the degree", 1)

@@ -1,6 +1,6 @@
 """Polynomials over a finite field with the interface of integers.
 
-They have the operators of Python's integers, so that the code for matrices, lattices and ideals works with
+They support the operators of Python's integers, so that the code for matrices, lattices and ideals works with
 both. A Python integer is read as a constant. Every operation spends its cost from the budget.
 """
 
@@ -13,7 +13,7 @@ from hfield.checker.scalars.finite import Finite
 
 @final
 class FiniteFieldPolynomial:
-    """A polynomial over a finite field, its ``coefficients`` low degree first, the last of them not 0."""
+    """A polynomial over a finite field; ``coefficients`` are low degree first, with a nonzero last one."""
 
     __slots__ = ("base", "coefficients")
 
@@ -35,7 +35,7 @@ class FiniteFieldPolynomial:
 
     @property
     def to_normal(self) -> "FiniteFieldPolynomial":
-        """The constant that makes the polynomial monic when it is multiplied by it."""
+        """The constant whose product with the polynomial is monic."""
         return FiniteFieldPolynomial(self.base, [self.base.need_inverse(self.lead)])
 
     def at(self, degree: int) -> Hashable:
@@ -43,7 +43,7 @@ class FiniteFieldPolynomial:
         return self.coefficients[degree] if degree <= self.degree else self.base.zero
 
     def bit_length(self) -> int:
-        """Return the number of bits of all coefficients."""
+        """Return the total number of bits of the coefficients."""
         return len(self.coefficients) * self.base.order.bit_length()
 
     def __bool__(self) -> bool:
@@ -56,11 +56,11 @@ class FiniteFieldPolynomial:
         return hash(self.coefficients)
 
     def __abs__(self) -> int:
-        """Return 1 + the degree: the size that a division with remainder makes less."""
+        """Return 1 + the degree, the size that division with remainder reduces."""
         return len(self.coefficients)
 
     def _spend(self, operations: int) -> None:
-        """Spend the cost of operations on coefficients, which are lists in an extension."""
+        """Spend the cost of operations on coefficients, which are lists in an extension field."""
         spend(2 + operations * (1 if self.base.order == self.base.characteristic else 4))
 
     def _same(self, x: "FiniteFieldPolynomial | int") -> "FiniteFieldPolynomial":

@@ -1,6 +1,6 @@
-"""F(t) over ℚ, a number field or a finite field: fractions of polynomials, made equal by multiplying out.
+"""F(t) over ℚ, a number field or a finite field: fractions of polynomials, compared by cross-multiplication.
 
-Over GF(q) its places are the prime polynomials, and infinity.
+Over GF(q) the places are the prime polynomials and infinity.
 """
 
 from collections.abc import Callable, Hashable, Mapping
@@ -70,7 +70,7 @@ class Functions(Ring[Fraction[E]]):
         return None if x is None else (x, self.polynomials.one)
 
     def sign(self, x: Fraction[E]) -> int | None:
-        """Return the sign for large values of the variable, where the base is ordered."""
+        """Return the sign for large values of the variable, if the base is ordered."""
         if self.base.sign(self.base.one) is None:
             return None
         if not x[0]:
@@ -92,9 +92,10 @@ class Functions(Ring[Fraction[E]]):
         return tuple(out)
 
     def is_square(self, x: Fraction[E]) -> bool:
-        """Return whether f·g is a square for x = f/g: its leading coefficient is, and it has a root.
+        """Return whether x = f/g is a square: f·g must have a square leading coefficient and a root as
+        polynomial.
 
-        In characteristic 2 it is not decided here.
+        In characteristic 2 this is not decided.
         """
         if not x[0]:
             return True
@@ -114,7 +115,7 @@ class Functions(Ring[Fraction[E]]):
         half = degree // 2
         below_two = base.need_inverse(base.number(2))
         root = [base.zero] * half + [base.one]
-        for n in range(half - 1, -1, -1):  # the coefficient of degree half + n tells root[n]
+        for n in range(half - 1, -1, -1):  # the coefficient of degree half + n determines root[n]
             total = monic.get((half + n,), base.zero)
             for m in range(n + 1, half):
                 total = base.add(total, base.neg(base.mul(root[m], root[half + n - m])))
@@ -162,7 +163,7 @@ class Functions(Ring[Fraction[E]]):
         return base, value
 
     def _fraction(self, top: Poly[E], below: Poly[E]) -> Fraction[E]:
-        """Divide by the greatest common divisor to keep sums small."""
+        """Divide by the greatest common divisor, to keep fractions small."""
         if not top:
             return self.zero
         if len(below) == 1 and not any(below[0][0]):
@@ -204,7 +205,7 @@ class Functions(Ring[Fraction[E]]):
 
 
 class SeveralVariables(Functions[Hashable]):
-    """``base(names)``: functions over functions, one variable after the other."""
+    """``base(names)``: function fields over function fields, one variable after another."""
 
     def __init__(self, base: AnyRing, names: tuple[str, ...]) -> None:
         *first, last = names
@@ -230,9 +231,9 @@ class SeveralVariables(Functions[Hashable]):
 
 
 class PrimePolynomial(OverFiniteField[Fraction[E], tuple[E, ...]]):
-    """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide.
+    """GF(q)(t) at a prime polynomial P; fractions whose denominator P does not divide are integral.
 
-    P is monic, its coefficients low degree first: integers, or lists of them over GF(pⁿ), reduced.
+    P is monic, with reduced coefficients, low degree first: integers, or lists of integers over GF(pⁿ).
     """
 
     def __init__(self, field: Functions[E], base: Finite[E], coefficients: list[object]) -> None:
@@ -289,7 +290,7 @@ def _functions(data: Mapping[str, object], ring: ReadRing) -> AnyRing:
 
 
 def need_constants(base: AnyRing) -> None:
-    """Reject constants other than QQ, a number field or a finite field."""
+    """Reject constant fields other than QQ, a number field or a finite field."""
     known = base.name == "QQ" or base.is_number_field or base.order is not None
     if not (known and base.is_field):
         reject(

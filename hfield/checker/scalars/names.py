@@ -1,7 +1,7 @@
-"""Canonical names, written from data; which names a variable may have, and how polynomials are written.
+"""Canonical names written from data; allowed names of variables; the notation of polynomials.
 
-The checker reads no names of rings. It makes a ring of data and writes the name, so that no two rings have
-one name; docs/reference/certificates.md lists the kinds.
+The checker does not read names of rings. It builds a ring from data and writes the name, so that distinct
+rings have distinct names; docs/reference/certificates.md lists the kinds.
 """
 
 import re
@@ -24,7 +24,7 @@ MAX_VARIABLES = 64
 
 
 def variables(value: object, base: AnyRing) -> tuple[str, ...]:
-    """Read the names of variables, which must be distinct and not mean anything else."""
+    """Read the names of variables, which must be distinct and have no other meaning."""
     found = [a_text(x, "a variable", 100) for x in a_list(value, "variables", 1)]
     for name in found:
         if not re.fullmatch("[a-zA-Z][a-zA-Z0-9_]*", name) or name in WORDS or name in BASIS:
@@ -51,17 +51,17 @@ def a_rational(value: object, what: str) -> Fraction:
 
 
 def blackboard(name: str) -> str:
-    """Write the name of a ring inside words."""
+    """Write the name of a ring as it appears within words."""
     return {"QQ": "ℚ", "ZZ": "ℤ"}.get(name, name)
 
 
 def plain(data: Mapping[str, object], keys: str) -> Mapping[str, object]:
-    """Return the data of a ring, which has exactly these keys beside its kind."""
+    """Return the data of a ring, which must have exactly these keys besides its kind."""
     return an_object(data, f"kind {keys}", "the data of a ring")
 
 
 def only(ring: AnyRing) -> Kind:
-    """Return what reads the data of a ring which is the only one of its kind."""
+    """Return the reader for a kind with a single ring."""
 
     def read(data: Mapping[str, object], _: object) -> AnyRing:
         plain(data, "")
@@ -71,9 +71,9 @@ def only(ring: AnyRing) -> Kind:
 
 
 def polynomial_text(coefficients: Sequence[object], name: str, falling: bool = True) -> str:
-    """Write Σ cₙ·nameⁿ, the highest power in front if ``falling``; the coefficients low degree first.
+    """Write Σ cₙ·nameⁿ, highest power first if ``falling``; the coefficients are low degree first.
 
-    A coefficient is a number, or a text, which is put into parentheses where it is a sum.
+    A coefficient is a number, or a text, which is parenthesised if it is a sum.
     """
     terms = [_term(str(c), name, n) for n, c in enumerate(coefficients) if str(c) != "0"]
     out = ""

@@ -9,9 +9,10 @@ R = TypeVar("R", bound=Hashable)  # the residues
 
 
 class Place(ABC, Generic[E, R]):
-    """A valuation of a field, and ``odd``, an element whose valuation is an odd number.
+    """A valuation of a field, with ``odd``, an element of odd valuation.
 
-    ``name`` is canonical, but for ideals that another generator describes: a field has one place of a name.
+    ``name`` is canonical, except for ideals described with another generator: a field has only one place of
+    each name.
     """
 
     odd: E
@@ -19,11 +20,11 @@ class Place(ABC, Generic[E, R]):
 
     @abstractmethod
     def residue(self, x: E) -> R | None:
-        """Return the residue of an integral element; None for another."""
+        """Return the residue of an integral element; None for other elements."""
 
     @abstractmethod
     def is_unit(self, residue: R) -> bool:
-        """Return whether this is the residue of a unit."""
+        """Return whether a residue is the residue of a unit."""
 
     @abstractmethod
     def is_irreducible(self, trace: R, norm: R) -> bool:

@@ -17,7 +17,7 @@ Poly = tuple[tuple[tuple[int, ...], E], ...]  # exponents and nonzero coefficien
 
 
 class PolynomialRing(Ring[Poly[E]]):
-    """``base[names]``, the base being a domain."""
+    """The ring ``base[names]`` over a domain."""
 
     is_integral = True
 
@@ -25,7 +25,7 @@ class PolynomialRing(Ring[Poly[E]]):
         self.base, self.names, self.name = base, names, f"{base.name}[{','.join(names)}]"
         self.words = f"the polynomials in {', '.join(names)} over {blackboard(base.name)}"
         self.characteristic = base.characteristic
-        self.wide = 1 + len(names) // 10  # what the exponents of a monomial cost
+        self.wide = 1 + len(names) // 10  # cost of a monomial's exponents
         self.zero: Poly[E] = ()
         self.one: Poly[E] = self._constant(base.one)
 

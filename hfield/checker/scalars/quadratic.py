@@ -1,4 +1,4 @@
-"""ℚ(√d): sums of two square roots, 1 and √d; its squares, its level, its prime ideals."""
+"""The field ℚ(√d): elements u + v·√d; squares, level, prime ideals."""
 
 from collections.abc import Mapping
 from fractions import Fraction
@@ -26,7 +26,7 @@ MAX_POWER = 1_000  # of n in a denominator
 
 
 class Quadratic(Surds):
-    """QQ(sqrt(d)) for a squarefree number d."""
+    """The field QQ(sqrt(d)) for a squarefree number d."""
 
     is_number_field = True
 
@@ -39,7 +39,7 @@ class Quadratic(Surds):
             reject(f"{self.name}: expected the root of a squarefree number other than 1")
 
     def is_fraction_field_of(self, ring: AnyRing) -> bool:
-        """Return whether this is ℚ(I), and the ring ℤ[I]."""
+        """Return whether this is ℚ(I) and the ring is ℤ[I]."""
         return self.d == -1 and ring.name == "ZZ[I]"
 
     def has_root(self, key: Radical) -> bool:
@@ -55,7 +55,7 @@ class Quadratic(Surds):
         return pair(x)
 
     def is_square(self, x: Surd) -> bool:
-        """Return whether u + v·√d is a square: its norm is a square r², and one of (u ± r)/2 is one."""
+        """Return whether u + v·√d is a square: its norm is a square r², and one of (u ± r)/2 is a square."""
         u, v = pair(x)
         d, half = Fraction(self.d), Fraction(1, 2)
         if not v:
@@ -65,9 +65,9 @@ class Quadratic(Surds):
         return r is not None and any(QQ.is_square(QQ.mul(QQ.add(u, s), half)) for s in (r, -r))
 
     def level_above(self, bound: int) -> bool:
-        """Prove that −1 is not a sum of ``bound`` squares; False says nothing.
+        """Prove that −1 is not a sum of ``bound`` squares; False means that no proof was found.
 
-        ℚ(√d) with d ≡ 1 modulo 8 lies in ℚ₂. A sum of four squares that is 0 there could be divided until
+        For d ≡ 1 modulo 8, ℚ(√d) embeds in ℚ₂. A sum of four squares that is 0 in ℚ₂ could be scaled until
         one of its terms is odd; but then it is not 0 modulo 8.
         """
         if super().level_above(bound):
@@ -91,7 +91,7 @@ class Quadratic(Surds):
 
 
 def _odd_squares_modulo_8() -> bool:
-    """Try all: a sum of four squares, not all of even numbers, is never 0 modulo 8."""
+    """Try all cases: a sum of four squares, not all of even numbers, is never 0 modulo 8."""
     return all(
         (w * w + x * x + y * y + z * z) % 8
         for w, x, y, z in product(range(8), repeat=4)
@@ -107,16 +107,20 @@ def pair(x: Surd) -> tuple[Fraction, Fraction]:
 
 
 def _pair_of_integers(x: Surd) -> tuple[Fraction, Fraction]:
-    """Return (u, v) with x = u + v·ω, ω = (1 + √d)/2: at 2 these are the integers for d ≡ 1 modulo 4."""
+    """Return (u, v) with x = u + v·ω, ω = (1 + √d)/2. If d ≡ 1 modulo 4, x is integral at 2 exactly if u and
+    v are.
+    """
     u, v = pair(x)
     return u - v, 2 * v
 
 
 class RamifiedIdeal(ModuloNumber[Surd]):
-    """ℚ(√d) at a divisor n of d, or at 2 for d ≢ 1 modulo 4: integral are u + v·√d with u, v integral at n.
+    """ℚ(√d) at a divisor n of d, or at 2 for d ≢ 1 modulo 4; u + v·√d is integral if u and v are integral at
+    n.
 
-    √d ≡ d modulo the prime, and √d − (d mod n) has the norm (d mod n)² − d, which every prime in n divides
-    just once, since d is squarefree: it generates the only prime ideal above that prime.
+    √d ≡ d modulo the prime. The norm of √d − (d mod n) is (d mod n)² − d, which every prime factor of n
+    divides exactly once, since d is squarefree; so this element generates the only prime ideal above that
+    prime.
     """
 
     def __init__(self, field: Quadratic, n: int) -> None:
@@ -132,9 +136,9 @@ class RamifiedIdeal(ModuloNumber[Surd]):
 
 
 class SplitIdeal(ModuloNumber[Surd]):
-    """ℚ(√d) where √d is r modulo n (modulo 4 for n = 2): r is prime to n, so primes in n split.
+    """ℚ(√d) with √d ≡ r modulo n (modulo 4 for n = 2); r is prime to n, so the primes in n split.
 
-    At such a prime p the completion is ℚ_p, with the root of d that begins with r.
+    At such a prime p the completion is ℚ_p, with the square root of d congruent to r.
     """
 
     def __init__(self, field: Quadratic, n: int, r: int) -> None:
@@ -169,7 +173,7 @@ class SplitIdeal(ModuloNumber[Surd]):
         return residue
 
     def _omega(self, modulus: int) -> int:
-        """Return ω modulo a power of n, by Newton's steps."""
+        """Return ω modulo a power of n, by Newton's iteration."""
         spend(10 + modulus.bit_length() ** 2 // 500)
         r = self.root
         while self._minimal(r) % modulus:
@@ -180,8 +184,9 @@ class SplitIdeal(ModuloNumber[Surd]):
 class InertNumber(Place[Surd, tuple[int, int]]):
     """ℚ(√d) at an odd n prime to d; u + v·√d is integral if u and v are integral at n.
 
-    Where p in n does not split, an element of GF(p²) is a square if its norm is one in GF(p); where p splits
-    and the norm of D is none, D is none at one of the two prime ideals. So the symbol of the norm tells.
+    If a prime p in n is inert, an element of GF(p²) is a square if and only if its norm is a square in GF(p).
+    If p splits and the norm of D is not a square, then D is not a square at one of the two prime ideals. So
+    the quadratic symbol of the norm decides.
     """
 
     def __init__(self, field: Quadratic, n: int) -> None:
@@ -207,7 +212,9 @@ class InertNumber(Place[Surd, tuple[int, int]]):
 
 
 class InertTwo(OverFiniteField[Surd, tuple[int, ...]]):
-    """ℚ(√d) at 2 for d ≡ 5 modulo 8, with residues in GF(4); for d ≡ 1 the polynomial of ω is reducible."""
+    """ℚ(√d) at 2 for d ≡ 5 modulo 8, with residues in GF(4); for d ≡ 1 the polynomial of ω would be
+    reducible.
+    """
 
     def __init__(self, field: Quadratic) -> None:
         self.residues: QuotientField[int] = QuotientField(GF2, [(1 - field.d) // 4 % 2, 1, 1])

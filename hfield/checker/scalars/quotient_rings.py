@@ -1,7 +1,7 @@
-"""R[x]/(f) for a monic f over ℤ, ℚ or GF(p) that need not be irreducible, such as dual numbers ℚ[x]/(x²).
+"""R[x]/(f) for a monic f over ℤ, ℚ or GF(p), perhaps reducible, such as the dual numbers ℚ[x]/(x²).
 
-Elements are their coefficients, low degree first. The checker uses only that these rings are commutative. A
-quotient by an irreducible polynomial that is to be a field has another kind of data.
+Elements are lists of coefficients, low degree first. The checker uses only that these rings are commutative.
+A quotient by an irreducible polynomial that should be a field has another kind of data.
 """
 
 from collections.abc import Iterator, Mapping
@@ -22,7 +22,7 @@ Dense = tuple[E, ...]  # as many coefficients as the degree of the modulus
 
 
 class QuotientRing(Ring[Dense[E]]):
-    """``base[variable]/(modulus)``, the modulus monic; ℤ[I] has a name of its own.
+    """The ring ``base[variable]/(modulus)`` with a monic modulus; ℤ[I] has a separate name.
 
     ``field`` are the fractions of the base, with values that are those of the base where they lie in it.
     """
@@ -57,7 +57,7 @@ class QuotientRing(Ring[Dense[E]]):
         return tuple([self.base.neg(a) for a in x])
 
     def mul(self, x: Dense[E], y: Dense[E]) -> Dense[E]:
-        """Return x·y, where xⁿ is what the modulus says."""
+        """Return x·y, with xⁿ replaced according to the modulus."""
         base, n = self.base, self.degree
         spend(5 * n * n)
         wide = [base.zero] * (2 * n - 1)
@@ -73,7 +73,9 @@ class QuotientRing(Ring[Dense[E]]):
         return tuple(wide)
 
     def inverse(self, x: Dense[E]) -> Dense[E] | None:
-        """Return the y with x·y = 1, by linear equations over the fractions of the base; None for no unit."""
+        """Return y with x·y = 1, by linear equations over the fractions of the base; None if x is
+        not a unit.
+        """
         columns, power = [], x
         for _ in range(self.degree):
             columns.append(power)
@@ -98,7 +100,7 @@ class QuotientRing(Ring[Dense[E]]):
 
 
 def _solution(field: Ring[E], rows: list[list[E]], right: list[E]) -> list[E] | None:
-    """Return the y with rows·y = right; None where the square matrix is singular."""
+    """Return y with rows·y = right, or None if the square matrix is singular."""
     n = len(rows)
     spend(20 * n**3)
     rows = [[*row, c] for row, c in zip(rows, right, strict=True)]

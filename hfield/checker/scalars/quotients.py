@@ -1,4 +1,4 @@
-"""GF(q)[t] modulo a polynomial that Rabin's test shows to be irreducible: the finite residue fields."""
+"""GF(q)[t] modulo a polynomial that Rabin's test proves irreducible: the finite residue fields."""
 
 from collections.abc import Sequence
 
@@ -13,7 +13,7 @@ Dense = tuple[E, ...]  # as many coefficients as the degree of the modulus, low 
 
 
 class QuotientField(Finite[Dense[E]]):
-    """``base[t]/(modulus)`` for a finite field, the modulus dense, low degree first."""
+    """The field ``base[t]/(modulus)`` over a finite field; the modulus is dense, low degree first."""
 
     is_field = True
 
@@ -76,9 +76,9 @@ class QuotientField(Finite[Dense[E]]):
     def _is_irreducible(self) -> bool:
         """Return whether the modulus is irreducible, by Rabin's test.
 
-        The first says that all prime factors are different and of degrees that divide n; the second that
-        none has a degree that divides n/r. An extended Euclid recognises a unit, as a power would not do
-        before this is a field.
+        The first condition says that all prime factors are distinct, with degrees that divide n; the second
+        says that no degree divides n/r. Units are recognised by the extended Euclidean algorithm, since
+        powers do not give inverses before this is known to be a field.
         """
         n, power = self.degree, self.generator
         for m in range(1, n + 1):

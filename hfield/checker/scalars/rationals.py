@@ -1,4 +1,4 @@
-"""ℚ and ℤ, the places of ℚ, and floats where they compute exactly."""
+"""The rings ℚ and ℤ, the places of ℚ, and floats as far as their arithmetic is exact."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -17,7 +17,7 @@ MAX_BITS = 100_000
 
 
 class Rationals(Ring[Fraction]):
-    """ℚ, or ℤ, whose units are ±1."""
+    """The field ℚ, or the ring ℤ with the units ±1."""
 
     characteristic = 0
     is_integral = True
@@ -67,7 +67,7 @@ class Rationals(Ring[Fraction]):
         return x >= 0 and root(x) is not None
 
     def has_no_root(self, c: list[Fraction]) -> bool:
-        """Prove it for the polynomial with integer coefficients."""
+        """Prove that the polynomial with integer coefficients has no rational root."""
         return has_no_rational_root(over_one_denominator(c)[0])
 
     def contains(self, x: Fraction) -> bool:
@@ -75,7 +75,7 @@ class Rationals(Ring[Fraction]):
         return self.is_field or x.denominator == 1
 
     def is_fraction_field_of(self, ring: AnyRing) -> bool:
-        """Return whether this is ℚ, and the ring ℤ."""
+        """Return whether this is ℚ and the ring is ℤ."""
         return self is QQ and ring is ZZ
 
     def place(self, data: object) -> AnyPlace[Fraction]:
@@ -86,7 +86,7 @@ class Rationals(Ring[Fraction]):
 
 
 class RationalPlace(ModuloNumber[Fraction]):
-    """ℚ at n: integral are the fractions whose denominator is prime to n."""
+    """ℚ at n: the fractions with denominator prime to n are integral."""
 
     def __init__(self, n: int) -> None:
         self.n, self.odd, self.name = n, Fraction(n), f"({n})"
@@ -111,7 +111,7 @@ def bounded(x: Fraction) -> Fraction:
 
 
 def root(x: Fraction) -> Fraction | None:
-    """Return the square root of a number that is not negative, if it is rational."""
+    """Return the square root of a nonnegative number, if it is rational."""
     parts = x.numerator, x.denominator
     spend_products(parts, parts)
     u, v = map(isqrt, parts)
@@ -119,7 +119,7 @@ def root(x: Fraction) -> Fraction | None:
 
 
 def over_one_denominator(values: Sequence[Fraction]) -> tuple[list[int], int]:
-    """Return numbers as integers over their least denominator, and that."""
+    """Return numbers as integers over their least common denominator, and the denominator."""
     denominators = {x.denominator for x in values}
     spend(len(values))
     spend_products(denominators, denominators)
@@ -129,7 +129,7 @@ def over_one_denominator(values: Sequence[Fraction]) -> tuple[list[int], int]:
 
 
 def has_no_rational_root(c: list[int]) -> bool:
-    """Prove that Σ cₙ·xⁿ has no rational root: by its roots modulo a prime, or by trying them."""
+    """Prove that Σ cₙ·xⁿ has no rational root: by its roots modulo a prime, or by testing all candidates."""
     lead, last = c[-1], c[0]
     if last == 0 or lead == 0:
         return False
@@ -170,7 +170,7 @@ def divisors(n: int) -> list[int]:
 
 
 class Floats(Rationals):
-    """Floats, which are no ring: only integers below 2⁵³, on which they compute exactly."""
+    """Floats: not a ring; only integers below 2⁵³ are used, on which their arithmetic is exact."""
 
     is_exact = False
 
@@ -191,7 +191,7 @@ class Floats(Rationals):
         return self._exact(x * y)
 
     def inverse(self, x: Fraction) -> Fraction | None:
-        """Refuse: a quotient of floats is rounded."""
+        """Raise :class:`Rejected`: a quotient of floats is rounded."""
         reject("quotients of floats are not exact")
 
     def fraction(self, value: int | Fraction) -> Fraction:

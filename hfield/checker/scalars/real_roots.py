@@ -1,4 +1,4 @@
-"""Real roots of a polynomial over ℚ: intervals with rational ends at which it has different signs."""
+"""Real roots of a polynomial over ℚ, as intervals with rational ends at which it has opposite signs."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -13,14 +13,14 @@ MAX_HALVINGS = 4_000
 
 
 class RealRoot:
-    """A root of f in an interval, at whose ends f has different signs; bisection refines it."""
+    """A root of f in an interval at whose ends f has opposite signs; bisection refines the interval."""
 
     def __init__(self, f: Sequence[int], low: Fraction, high: Fraction) -> None:
         self.f, self.low, self.high = f, low, high
         self.rising = _value(f, low) < 0
 
     def sign(self, x: Sequence[Fraction]) -> int:
-        """Return the sign of a polynomial at the root; f is irreducible and no divisor of x ≠ 0."""
+        """Return the sign of a polynomial x ≠ 0 at the root; f must be irreducible and not divide x."""
         if not any(x):
             return 0
         low, high = self.low, self.high
@@ -35,7 +35,7 @@ class RealRoot:
         reject("a sign at a real root takes too many halvings")
 
     def within(self, width: Fraction) -> "RealRoot":
-        """Return the root in an interval of at most this width."""
+        """Return the root with an interval of at most this width."""
         low, high = self.low, self.high
         for _ in range(MAX_HALVINGS):
             if high - low <= width:
@@ -53,9 +53,9 @@ class RealRoot:
 
 
 def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:
-    """Return all real roots of a monic polynomial without rational and without double roots, ascending.
+    """Return all real roots, ascending, of a monic squarefree polynomial without rational roots.
 
-    Sturm's sequence counts them, and intervals are halved until each has one.
+    Sturm's sequence counts them, and intervals are halved until each contains exactly one.
     """
     bound = Fraction(2 + ceil(max(abs(c) for c in f)))
     own = _primitive(over_one_denominator(f)[0])
@@ -84,7 +84,7 @@ def _changes(chain: list[list[int]], x: Fraction) -> int:
 
 
 def _value(f: Sequence[int], x: Fraction) -> int:
-    """Return f(x) times a power of the denominator of x: what has its sign."""
+    """Return f(x) times a power of the denominator of x, which has the same sign."""
     step = max(x.numerator.bit_length(), x.denominator.bit_length())
     bits = max(c.bit_length() for c in f) + len(f) * step
     spend(len(f) * (1 + bits // 1_000 + bits * step // 500_000))

@@ -1,8 +1,9 @@
 """Places whose residues are the integers modulo a number, or the elements of a finite field.
 
-Over ℚ and ℚ(√d) an odd n need not be a prime. Where a Jacobi symbol (D/n) is −1, some prime p divides n an
-odd number of times and D is not a square modulo p: the valuation meant is that of such a p, and what is
-integral at n is integral there. To take for not integral what is so does no harm: it only rejects.
+Over ℚ and ℚ(√d) an odd n need not be a prime. If a Jacobi symbol (D/n) is −1, some prime p divides n an odd
+number of times and D is not a square modulo p. The valuation is that of such a p; elements that are integral
+at n are integral at p. Some elements that are integral at p may be treated as not integral, which can only
+cause a rejection.
 """
 
 from fractions import Fraction
@@ -18,7 +19,7 @@ GF2 = Residues(2, True, "GF(2)")
 
 
 def two_or_odd(value: object) -> int:
-    """Read 2 or an odd number above it."""
+    """Read 2 or an odd number greater than 2."""
     n = an_integer(value, "a place", 2)
     if n.bit_length() > MAX_BITS or (n != 2 and n % 2 == 0):
         reject(f"{shown(n)} is not a place, or too large: expected 2 or an odd number")
@@ -41,7 +42,7 @@ def jacobi(a: int, n: int) -> int:
 
 
 def modulo(x: Fraction, n: int) -> int | None:
-    """Return the class of a rational number; None where the denominator is not prime to n."""
+    """Return the class of a rational number, or None if its denominator is not prime to n."""
     spend_products([n], [x.numerator, x.denominator])
     if gcd(x.denominator, n) > 1:
         return None
@@ -50,7 +51,7 @@ def modulo(x: Fraction, n: int) -> int | None:
 
 
 class ModuloNumber(Place[E, int]):
-    """Residues are the integers modulo n."""
+    """A place whose residues are the integers modulo n."""
 
     n: int
 
@@ -66,14 +67,14 @@ class ModuloNumber(Place[E, int]):
 
 
 class OverFiniteField(Place[E, R]):
-    """Residues are the elements of a finite field."""
+    """A place whose residues are the elements of a finite field."""
 
     residues: Finite[R]
 
     def is_unit(self, residue: R) -> bool:
-        """Return whether it is not 0."""
+        """Return whether the residue is nonzero."""
         return not self.residues.is_zero(residue)
 
     def is_irreducible(self, trace: R, norm: R) -> bool:
-        """Return whether it is irreducible over the residue field."""
+        """Return whether X² − trace·X + norm is irreducible over the residue field."""
         return self.residues.is_irreducible(trace, norm)

@@ -1,8 +1,9 @@
 """The protocol of rings in the checker: operations on plain, hashable values, and optional facts on
 fields.
 
-A kind of field is one module beside this one, with a class of this protocol and ``KINDS``, which makes rings
-of their data; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
+Each kind of ring is a module beside this one, with a class that implements the protocol, and ``KINDS``, which
+builds rings from their data; ``fields`` lists these modules. A fact that a kind does not provide counts as
+unknown and is never used.
 """
 
 from abc import ABC, abstractmethod
@@ -35,7 +36,7 @@ def power(one: T, x: T, n: int, times: Callable[[T, T], T]) -> T:
 class Ring(ABC, Generic[E]):
     """A commutative ring. ``order`` is None if it is infinite.
 
-    ``name`` is canonical: rings of one name are one ring. ``words`` say what the ring is.
+    ``name`` is canonical: rings with the same name are the same ring. ``words`` describe the ring.
     """
 
     name: str
@@ -44,7 +45,7 @@ class Ring(ABC, Generic[E]):
     order: int | None = None
     is_field: bool = False
     is_integral: bool = False  # known to have no zero divisors, though it may be no field
-    is_number_field: bool = False  # whether it is one that functions may be over
+    is_number_field: bool = False  # whether there may be functions over it
     is_exact: bool = True  # whether its arithmetic proves anything
     roots_by = "squares"  # shows that there are no roots: discriminants, or linear factors
     zero: E
@@ -79,12 +80,12 @@ class Ring(ABC, Generic[E]):
 
     @property
     def is_domain(self) -> bool:
-        """Whether a product is 0 only where a factor is."""
+        """Whether a product is 0 only if a factor is 0."""
         return self.is_field or self.is_integral
 
     @property
     def is_ordered(self) -> bool:
-        """Whether ``sign`` is the sign in an ordering of the field."""
+        """Whether ``sign`` returns the sign in an ordering of the field."""
         return self.is_field and self.sign(self.one) == 1
 
     def is_zero(self, x: E) -> bool:
@@ -92,7 +93,7 @@ class Ring(ABC, Generic[E]):
         return bool(x == self.zero)
 
     def constant(self, tree: Tree) -> E | None:
-        """Return the element that a name or a call names, None if it names none."""
+        """Return the element given by a name or a call, or None."""
         return None
 
     def named_elements(self, trees: Iterable[Tree]) -> dict[Tree, E]:
@@ -110,7 +111,7 @@ class Ring(ABC, Generic[E]):
         reject(f"{self.name} has infinitely many elements")
 
     def sign(self, x: E) -> int | None:
-        """Return the sign of x in an ordering of the field; None where there is none."""
+        """Return the sign of x in an ordering of the field; None if there is no ordering."""
         return None
 
     def signs(self, x: E) -> tuple[int | None, ...]:
@@ -118,22 +119,24 @@ class Ring(ABC, Generic[E]):
         return (self.sign(x),)
 
     def is_square(self, x: E) -> bool:
-        """Return whether x is a square; rejects where that is not decided here."""
+        """Return whether x is a square; rejects if this is not decided here."""
         reject(f"squares in {self.name} are not decided here")
 
     def has_no_root(self, c: list[E]) -> bool:
-        """Prove that Σ cₙ·xⁿ, of the degree len(c) − 1, has no root in the field; False says nothing."""
+        """Prove that Σ cₙ·xⁿ, of degree len(c) − 1, has no root in the field; False means that no proof was
+        found.
+        """
         if len(c) != 3 or self.characteristic == 2:
             return False
         four = self.mul(self.number(-4), self.mul(c[2], c[0]))
         return not self.is_square(self.add(self.mul(c[1], c[1]), four))
 
     def level_above(self, bound: int) -> bool:
-        """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing."""
+        """Prove that −1 is not a sum of ``bound`` squares in a field; False means that no proof was found."""
         return bound < 1 or self.is_ordered
 
     def place(self, data: object) -> AnyPlace[E]:
-        """Return the place of the field that the data say."""
+        """Return the place of the field given by data."""
         kind = keyed(data, "a place").get("kind")
         reject(f"no place of the kind {shown(kind)!r} is known of {self.name}")
 
@@ -154,7 +157,7 @@ class Ring(ABC, Generic[E]):
         reject(f"the elements of {self.name} have no coefficients over QQ here")
 
     def maps_modulo(self, n: int) -> bool:
-        """Return whether the classes modulo n of the ring are ℤ/n."""
+        """Return whether the ring modulo n is ℤ/n."""
         return False
 
     def equal(self, x: E, y: E) -> bool:
@@ -166,7 +169,7 @@ class Ring(ABC, Generic[E]):
         return power(self.one, x, n, self.mul)
 
     def fraction(self, value: int | Fraction) -> E | None:
-        """Return the value of a literal, None where its denominator is not a unit."""
+        """Return the value of a literal, or None if its denominator is not a unit."""
         if isinstance(value, int):
             return self.number(value)
         below = self.inverse(self.number(value.denominator))
@@ -177,7 +180,7 @@ class Ring(ABC, Generic[E]):
         return self.value(parse(text), text)
 
     def value(self, tree: Tree, text: str) -> E:
-        """Evaluate a term that names an element."""
+        """Evaluate a term that is an element of the ring."""
         result: E | None = None
         if tree[0] == "num":
             result = self.fraction(tree[1])

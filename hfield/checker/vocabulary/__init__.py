@@ -1,1 +1,1 @@
-"""Statements that are no formulas: logic between closed statements, words about a field, presentations."""
+"""Statements other than formulas: logic between closed statements, words about a field, presentations."""

@@ -72,7 +72,7 @@ def _unfit(kind: str, verdict: str) -> NoReturn:
 def division(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Check that every nonzero element of H(F) has an inverse: the norm is 0 only at 0."""
+    """Check that every nonzero element of H(F) is invertible, because the norm is anisotropic."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
         minus_one = field.number(-1)
@@ -89,7 +89,7 @@ def division(
 
 
 def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
-    """Check that −1 is not a sum of so many squares, or of any number."""
+    """Check that −1 is not a sum of a given number of squares, or of any number."""
     bound = int(parts[0]) if parts else None
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
@@ -112,7 +112,7 @@ def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
 def norm_criterion(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """q has an inverse exactly when N(q) > 0 (or < 0) in the orderings of the field."""
+    """Check that q is invertible if and only if N(q) > 0 (or < 0) in the orderings of the field."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "ordering" and parts == (">",):
         an_object(evidence, "kind", "the evidence")
@@ -136,7 +136,7 @@ def norm_criterion(
 def modulus_exists(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Every norm is a square in the field."""
+    """Check that every norm is a square in the field."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
@@ -155,7 +155,7 @@ def modulus_exists(
 
 
 def _identity(form: str, setting: Setting) -> None:
-    """Expand an identity in p and q, with letters that do not name an element of the field."""
+    """Expand an identity in p and q, using letters that are not names of elements of the field."""
     field = _field(setting)
     free = [x for x in QUATERNIONS if field.constant(("name", x)) is None]
     if len(free) < 2:
@@ -169,7 +169,7 @@ def _identity(form: str, setting: Setting) -> None:
 def modulus_law(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Some choice of a root √n for each square n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
+    """Check that some choice of roots √n for the squares n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
@@ -186,7 +186,8 @@ def modulus_law(
         # the roots that are not negative: their products are not negative
         return CheckResult(FIELD, ORDERING)
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
-        # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
+        # −1 is not a square, and the squares have index 2 in F*: one of r, −r is a square. Choose
+        # that one.
         if field.order > MAX_TRIED:
             return CheckResult(FIELD, CHOICE_OF_ROOTS)
         _try_squares(field)
@@ -198,7 +199,9 @@ def modulus_law(
 
 
 def _try_squares(field: Ring[E]) -> None:
-    """Check over a finite field that the roots which are squares suffice and are closed under products."""
+    """Check over a finite field that each square has a square root that is itself a square, and that products
+    of such roots are such roots.
+    """
     spend(20 * (field.order or 0) ** 2)
     squares = {field.mul(x, x) for x in field.elements()}
     root = {field.mul(x, x): x for x in squares}
@@ -209,7 +212,7 @@ def _try_squares(field: Ring[E]) -> None:
 
 
 def _no_choice(field: Ring[E], operation: str, data: Mapping[str, object]) -> None:
-    """Check that every choice of roots for the norms of some elements breaks the law."""
+    """Check that every choice of roots for the norms of certain elements violates the law."""
     evaluator = _evaluator(field)
     elements = [_quaternion(field, value) for value in a_list(data["elements"], "elements", 1)]
     roots = [field.read(text) for text in texts(data["roots"], "roots")]

@@ -1,17 +1,17 @@
-"""Lemmas that show relations between closed statements over all fields at once."""
+"""Lemmas that prove relations between closed statements over all fields at once."""
 
-# H(F) is a division algebra when F is formally real: an element of norm 0 with a coordinate that is
-# not 0 makes −1 a sum of three squares.
+# H(F) is a division algebra if F is formally real: an element of norm 0 with a nonzero coordinate
+# makes −1 a sum of three squares.
 THREE_SQUARES = tuple(
     f"norm(q) == 0 and q[{n}] != 0 => "
     + " + ".join(f"(q[{m}]/q[{n}])**2" for m in range(4) if m != n)
     + " == -1"
     for n in range(4)
 )
-# … and exactly when −1 is not a sum of two squares: if s² + y² = −1 (y = 0 included), e + s·i + y·j is
-# a nonzero element of norm 0. Let N(q) = 0 with q ≠ 0. If q₂² + q₃² ≠ 0, the third line writes −1 as
-# a sum of two squares; if not, and q₂ or q₃ is not 0, the fourth or fifth does; if both are 0, then q₀
-# or q₁ is not 0, and the last two do.
+# … and exactly if −1 is not a sum of two squares. If s² + y² = −1 (y = 0 included), e + s·i + y·j
+# is a nonzero element of norm 0. Conversely let N(q) = 0 with q ≠ 0. If q₂² + q₃² ≠ 0, the third
+# line writes −1 as a sum of two squares. Otherwise, if q₂ or q₃ is not 0, the fourth or fifth line
+# does. If both are 0, then q₀ or q₁ is not 0, and the last two lines do.
 TWO_SQUARES = (
     "s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0",
     "s**2 == -1 => norm(e + s*i) == 0",

@@ -52,7 +52,7 @@ def _plain(evidence: object, *kinds: str) -> str:
 
 
 def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
-    """The vectors are a basis of the free module of the dimension that comes first."""
+    """Check that the vectors are a basis of the free module with the given dimension."""
     (dimension,), *vectors = (_integers(part) for part in parts)
     fits = len(vectors) == dimension and all(len(v) == dimension for v in vectors)
     kind = _plain(evidence, "count", "determinant")
@@ -107,7 +107,7 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obj
 
 
 def _commutators() -> Matrix:
-    """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, eight rows of four."""
+    """Return the coefficients of the coordinates of q·i − i·q and q·j − j·q, as eight rows of four."""
     evaluator = Evaluator(RingScalars(ZZ), HAMILTON, {})
     units = [evaluator.quaternion(evaluator.value(("name", u))) for u in "eijk"]
     rows = []
@@ -121,7 +121,7 @@ CHOICES = ("all", "constant", "short", "all-but-one")
 
 
 def _choice(word: str, k: int) -> set[Tuple]:
-    """Return the tuples of basis vectors that a word names."""
+    """Return the tuples of basis vectors that a word describes."""
     spend(N**k)
     if word == "constant":
         return {(n,) * k for n in range(N)}
@@ -141,10 +141,10 @@ def _arities(text: str) -> Tuple:
 def determined_by(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """k-linear maps on F⁴ that agree on the tuples of basis vectors chosen are equal.
+    """Check that k-linear maps on F⁴ that agree on the chosen tuples of basis vectors are equal.
 
-    f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t: agreeing on all tuples is
-    enough, and where one is left out, f may be 1 there and g = 0.
+    f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t. So agreement on all tuples suffices;
+    if a tuple is left out, f may be 1 there while g = 0.
     """
     choice, arities = parts[0], _arities(parts[1])
     kind = kind_of(evidence)
@@ -199,10 +199,10 @@ def _unit(n: int) -> list[Poly]:
 
 
 def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
-    """Return whether a difference of two sides shows the verdict.
+    """Return whether a difference of two sides proves the verdict.
 
-    It is 0; or it has a coefficient ±1 and is linear in each unknown, so that it is no 0 function
-    over any field.
+    Either it is 0; or it is linear in each unknown and has a coefficient ±1, so that it is not the zero
+    function over any field.
     """
     if verdict == "proved":
         return not difference
@@ -213,9 +213,11 @@ def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
 def curried_linear(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
-    """Fixing the last argument at a basis vector leaves a linear map in every other argument.
+    """Check that fixing the last argument at a basis vector leaves a map that is linear in every other
+    argument.
 
-    Shown for maps of two and three arguments: f(…, s·a + y·b, …) = s^power·f(…, a, …) + y·f(…, b, …).
+    This is proved for maps of two and three arguments: f(…, s·a + y·b, …) = s^power·f(…, a, …) + y·f(…, b,
+    …).
     """
     _plain(evidence, "identity")
     if verdict != "proved":

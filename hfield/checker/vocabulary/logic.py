@@ -1,4 +1,4 @@
-"""Statements about the field and the algebra as wholes, and logic between closed statements.
+"""Statements about the field and the algebra as a whole, and logic between closed statements.
 
 The vocabulary, with P, Q for statements of any kind:
 
@@ -67,7 +67,7 @@ FORMS = {word: form for vocabulary in VOCABULARIES for word, form in vocabulary.
 
 
 def read_proposition(text: str, depth: int = 0) -> VocabularyStatement | None:
-    """Read a statement of the vocabulary; None for any other."""
+    """Read a statement of the vocabulary; None for other statements."""
     m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL | re.ASCII)
     if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, ORDERS)):
         return None
@@ -87,7 +87,7 @@ def read_proposition(text: str, depth: int = 0) -> VocabularyStatement | None:
 
 
 def statements_inside(p: VocabularyStatement, setting: Setting) -> list[tuple[str, Setting]]:
-    """Return the parts that are statements, each with the ring or the rings that it is about."""
+    """Return the parts that are statements, each with the rings that it is about."""
     settings = [setting] * len(p.parts)
     if p.word == "over":
         settings[1] = replace(setting, field=_named(p.parts[0], setting), moved=False)
@@ -102,7 +102,7 @@ def statements_inside(p: VocabularyStatement, setting: Setting) -> list[tuple[st
 
 
 def need_meaning(p: VocabularyStatement, setting: Setting, depth: int = 0) -> None:
-    """Reject a statement with a meaningless part, also where the evidence does not use that part."""
+    """Reject a statement with a meaningless part, even if the evidence does not use that part."""
     for text, there in statements_inside(p, setting):
         inner = read_proposition(text, depth + 1)
         if inner is None:
@@ -115,7 +115,7 @@ def need_meaning(p: VocabularyStatement, setting: Setting, depth: int = 0) -> No
 
 
 def proposition_tree(p: VocabularyStatement, depth: int = 0) -> Meaning:
-    """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
+    """Return the meaning of a statement of the vocabulary, without blanks and superfluous parentheses."""
     if p.word in ORDERS:
         return orders.order_meaning(p.word, p.parts)
     if p.word in SPECIAL:
@@ -172,7 +172,7 @@ def establish_any(
 
 
 def names_of_rings(statement: str) -> list[str]:
-    """Return the names of rings that the words of a statement name, in order."""
+    """Return the names of rings in the words of a statement, in order."""
     p = read_proposition(statement)
     return sorted(rings_named(p)) if p else []
 
@@ -190,7 +190,7 @@ def rings_named(p: VocabularyStatement, depth: int = 0) -> set[str]:
 def _with_rings(
     p: VocabularyStatement, setting: Setting, evidence: object
 ) -> tuple[Setting, object]:
-    """Read the rings that the statement names, each of them and no other, and the evidence beside them."""
+    """Read exactly the rings that the statement names, and the remaining evidence."""
     data = an_object(evidence, "kind rings evidence", "the evidence")
     rings = [read_ring(x) for x in a_list(data["rings"], "rings")]
     if data["kind"] != "rings" or sorted(x.name for x in rings) != sorted(rings_named(p)):
@@ -206,7 +206,7 @@ def _named(name: str, setting: Setting) -> AnyRing:
 
 
 def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: int) -> CheckResult:
-    """Refute for all fields by one field."""
+    """Refute a statement about all fields by one field."""
     data = an_object(evidence, "kind ring evidence", "the evidence")
     ring = read_ring(data["ring"])
     if verdict != "refuted" or not ring.is_field:
@@ -216,7 +216,7 @@ def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: in
 
 
 def _with_the_same_names(text: str, setting: Setting) -> Setting:
-    """Reject a statement without meaning over all fields, or whose unknown would name an element of the
+    """Reject a statement without a meaning over all fields, or with an unknown named like an element of the
     field.
     """
     assert setting.field is not None
@@ -236,10 +236,10 @@ class _Logic:
         self.inside = statements_inside(p, setting)
 
     def part(self, n: int, verdict: str, evidence: object) -> CheckResult:
-        """Check the evidence for the n-th part of a compound statement, which is a statement itself."""
+        """Check the evidence for the n-th part of a compound statement; the part is a statement."""
         text, setting = self.inside[n]
         found = establish_any(text, setting, verdict, evidence, self.depth + 1)
-        if self.p.word == "angles" and n:  # said of RR alone, it is shown wherever it is said
+        if self.p.word == "angles" and n:  # a part about RR only does not restrict the scope
             return replace(found, scope=COMMUTATIVE_RINGS)
         return found
 
@@ -254,7 +254,7 @@ class _Logic:
         if word == "citing":
             theorem = CITED_BY_NAME[self.p.parts[0]]
             inside = self.part(0, verdict, evidence)
-            if theorem == INDUCTION:  # what fails for some number of arguments fails without it
+            if theorem == INDUCTION:  # a counterexample needs no induction
                 return inside.citing(theorem) if verdict == "proved" else inside
             if not self._is_real():
                 reject("theorems about real polynomials are cited over RR alone")
@@ -275,7 +275,7 @@ class _Logic:
         return self.setting.field is not None and self.setting.field.name == "RR"
 
     def _angles(self, verdict: str, kind: str, evidence: object) -> CheckResult:
-        """P, about points with c² + s² = 1; over RR, where these are angles, Q as well."""
+        """Check P for points with c² + s² = 1; over RR, where these are angles, check Q as well."""
         field, second = self.setting.field, self.p.parts[1:]
         with_real = second and (field is None or self._is_real())
         found = (

@@ -1,4 +1,4 @@
-"""Statements about all associative algebras: words in e, i, j, k, multiplied out in the free ring."""
+"""Statements about all associative algebras: words in e, i, j, k, expanded in the free ring."""
 
 import re
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ MAX_WORD = 200
 
 @dataclass(frozen=True)
 class Presentation:
-    """``relations`` ⇒ ``goals``, each the difference of two sides; with ``identity`` e is the identity."""
+    """``relations`` ⇒ ``goals``, each a difference of two sides; with ``identity``, e is the identity."""
 
     identity: bool
     relations: tuple[Words, ...]
@@ -38,7 +38,7 @@ class Presentation:
 
 
 def read_presentation(text: str) -> Presentation | None:
-    """Read ``associative(i, j, k): relations => goals``; None for a text of another kind."""
+    """Read ``associative(i, j, k): relations => goals``; None for other texts."""
     m = re.fullmatch(r"\s*associative\s*\(([eijk,\s]*)\)\s*:(.*)", text, re.DOTALL | re.ASCII)
     if m is None:
         return None
@@ -126,7 +126,7 @@ def _a_word(value: object, identity: bool) -> str:
 
 
 def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str) -> None:
-    """Check that the evidence repeats what was read from the statement."""
+    """Check that the evidence repeats the data read from the statement."""
     listed = []
     for entry in a_list(data, what, 1):
         words: Words = {}
@@ -144,9 +144,9 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 def establish_presentation(
     target: Presentation, ring: AnyRing | None, verdict: str, evidence: object
 ) -> CheckResult:
-    """Check the evidence about a statement on associative algebras.
+    """Check the evidence for a statement about associative algebras.
 
-    It is vacuous where the relations give 1 = 0: no algebra other than 0 satisfies them.
+    It is vacuous if the relations imply 1 = 0, because only the algebra 0 satisfies them.
     """
     if verdict == "vacuous" and kind_of(evidence) == "unsatisfiable" and target.identity:
         data = an_object(evidence, "kind proof", "the evidence")

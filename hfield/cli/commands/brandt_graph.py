@@ -41,8 +41,8 @@ class BrandtGraph:
     """The graph of a Brandt matrix: ``matrix[i][j]`` arrows from i to j, and the number of units of each
     vertex.
 
-    ``arrows`` is what an arrow stands for. ``conjugates`` is the vertex of the Frobenius conjugate of each
-    supersingular curve, for a prime discriminant and level 1; None otherwise.
+    ``arrows`` describes what an arrow means. ``conjugates`` gives for each supersingular curve the vertex of
+    its Frobenius conjugate, for a prime discriminant and level 1; None otherwise.
     """
 
     matrix: Sequence[Sequence[int]]
@@ -60,7 +60,7 @@ def draw(graph: BrandtGraph, path: Path, dark: bool = False) -> None:
 
 @default_settings()
 def figure(graph: BrandtGraph, dark: bool = False) -> Figure:
-    """Return the picture as a figure of matplotlib."""
+    """Return the picture as a matplotlib figure."""
     colors = DARK if dark else LIGHT
     places = layout(graph.matrix)
     wide, high = (places.max(axis=0) - places.min(axis=0)).tolist()
@@ -100,11 +100,11 @@ def _edges(matrix: Sequence[Sequence[int]]) -> Iterator[tuple[int, int]]:
 
 
 def layout(matrix: Sequence[Sequence[int]]) -> np.ndarray:
-    """Return a place (x, y) for each vertex, such that distances are near to those in the graph.
+    """Return a position (x, y) for each vertex, with distances close to those in the graph.
 
-    The stress Σ (|x_i − x_j|/d_ij − 1)² is made small by majorisation (Gansner, Koren and North, 2004), from
-    two starts without chance: a circle in the order of a breadth-first search, and classical scaling. The
-    long axis is horizontal, the first vertex on its left.
+    The stress Σ (|x_i − x_j|/d_ij − 1)² is minimised by majorisation (Gansner, Koren and North, 2004), from
+    two deterministic starts: a circle in breadth-first order, and classical scaling. The long axis is
+    horizontal, with the first vertex at its left end.
     """
     import numpy as np
 
@@ -134,7 +134,7 @@ def layout(matrix: Sequence[Sequence[int]]) -> np.ndarray:
 def _distances(matrix: Sequence[Sequence[int]]) -> tuple[np.ndarray, list[int]]:
     """Return the distances in the graph, and the vertices in the order of a breadth-first search from 0.
 
-    Between components the distance is one more than the greatest inside them.
+    The distance between components is one more than the greatest distance inside them.
     """
     import numpy as np
 
@@ -153,7 +153,7 @@ def _distances(matrix: Sequence[Sequence[int]]) -> tuple[np.ndarray, list[int]]:
 
 
 def _scaled(distances: np.ndarray) -> np.ndarray:
-    """Return classical multidimensional scaling, which puts long chains in order."""
+    """Return the classical multidimensional scaling, which unfolds long chains."""
     import numpy as np
 
     squares = distances**2
@@ -337,7 +337,7 @@ class _Drawing:
         return "line: neighbours; numbers and directions are left out, --format edges lists them"
 
     def say(self, x: float, y: float, text: str) -> float:
-        """Write a text from x on, and return where it ends."""
+        """Write a text that starts at x, and return the position where it ends."""
         written = self.axes.text(
             x, y, text, ha="left", va="center", fontsize=9, color=self.colors.ink
         )

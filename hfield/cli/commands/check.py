@@ -42,7 +42,7 @@ ABOUT = ("statement", "algebra", "field", "verdict", "scope")
 LISTS = ("assumes", "theorems", "assumptions", "vacuous", "left_out", "rings")
 COLUMNS = ("file", "accepted", *ABOUT, *LISTS[1:], "reason")
 UNIVERSAL = ("universal", "-")
-ASSUMING = 3  # the exit status where an assumption is left
+ASSUMING = 3  # the exit status if an assumption remains
 
 
 class UnreadableError(HFieldError, OSError):
@@ -133,7 +133,7 @@ def _exit_status(outcomes: Sequence[Outcome], allow_assumptions: bool) -> int:
 def _checked(
     name: str, expected: ExpectedClaim | None, judge: Judge | None, work: float
 ) -> Iterator[Checked]:
-    """Yield the result for a file, or for each line of a file of many."""
+    """Yield the result for a file, or for each line of a file with many certificates."""
     for each, content in _contents(name):
         if isinstance(content, UnreadableError):
             yield Checked(each, content)
@@ -142,7 +142,7 @@ def _checked(
 
 
 def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
-    """Open a file once, and yield the named certificate in it, or one for each line."""
+    """Open a file once, and yield its certificate, or one certificate per line, with names."""
     try:
         with Path(name).open("rb") as stream:
             if not name.endswith(LINES_SUFFIX):
@@ -181,7 +181,7 @@ def _decoded(content: bytes) -> str:
 
 
 def _expected(args: Namespace) -> ExpectedClaim | None:
-    """Return what the certificates have to be about. Raises :class:`HFieldError` for bad usage."""
+    """Return the claim that the certificates must establish. Raises :class:`HFieldError` for bad usage."""
     if args.claim is not None and (args.statement is not None or args.algebra is not None):
         raise UsageError("--claim names the statement and the algebra; give one or the other")
     everywhere = args.field is not None and args.field.strip().lower() in UNIVERSAL
@@ -227,7 +227,7 @@ def _expected(args: Namespace) -> ExpectedClaim | None:
 
 
 def _in_words(expected: ExpectedClaim, claim: str | None) -> str:
-    """Return in words what the certificates must be about."""
+    """Describe the claim that the certificates must establish."""
     from hfield.fields.names import ring
 
     what = f"claim {claim}" if claim else one_line(expected.statements[0])
@@ -242,7 +242,7 @@ def _in_words(expected: ExpectedClaim, claim: str | None) -> str:
 
 
 def _told(each: Checked) -> list[str]:
-    """Return the lines on a file, those after the first set in."""
+    """Return the lines about a file; all but the first are indented."""
     outcome = each.outcome
     if isinstance(outcome, Established):
         first, *rest = [*outcome.lines(), *(each.coq.lines() if each.coq else [])]

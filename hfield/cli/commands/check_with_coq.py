@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 ACCEPTED, REJECTED, NOT_COVERED, NOT_JUDGED = "accepted", "rejected", "not covered", "not judged"
-NOT_CONFIRMED = 4  # the exit status where Coq has not seen a certificate that the checker accepts
+NOT_CONFIRMED = 4  # the exit status if Coq did not check a certificate that the checker accepts
 MAX_MEMORY = 1 << 24  # MiB
 
 
@@ -35,12 +35,12 @@ class CoqVerdict:
     proposition: str = ""
 
     def lines(self) -> list[str]:
-        """Return the same in lines."""
+        """Return the verdict as lines."""
         theorem = [f"Coq's theorem: {self.proposition}"] if self.proposition else []
         return [f"Coq: {self.word}: {self.reason}", *theorem]
 
     def json(self) -> dict[str, str | None]:
-        """Return the same for JSON."""
+        """Return the verdict as JSON data."""
         return {
             "verdict": self.word,
             "reason": self.reason,
@@ -53,7 +53,7 @@ Judge = Callable[[str, Established, object], CoqVerdict]
 
 
 def add_coq(parser: ArgumentParser) -> None:
-    """Declare ``--coq`` and its bounds."""
+    """Declare ``--coq`` and its limits."""
     parser.add_argument(
         "--coq",
         action="store_true",
@@ -79,7 +79,7 @@ def add_coq(parser: ArgumentParser) -> None:
 
 @contextmanager
 def judge_by_coq(args: Namespace) -> Iterator[Judge]:
-    """Let ``coqc`` judge certificates inside the ``with``, one by one."""
+    """Check certificates one by one with ``coqc`` inside the ``with`` block."""
     from hfield.export.coq.coqc import Coqc
 
     with Coqc(args.coq_timeout, args.coq_memory) as coq:
@@ -111,7 +111,7 @@ def _judge(coq: Coqc, name: str, found: Established, data: object) -> CoqVerdict
 
 
 def exit_status(verdicts: Iterable[CoqVerdict | None], status: int) -> int:
-    """Return the exit status, ``status`` being that of the checker."""
+    """Return the exit status, given the status of the checker."""
     words = {v.word for v in verdicts if v is not None}
     if status in (1, 2) or not words:
         return status

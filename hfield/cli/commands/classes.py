@@ -124,7 +124,7 @@ def _data(O: Order, number: int) -> dict[str, object]:
 
 
 def _facts(O: Order, number: str) -> list[tuple[str, str]]:
-    """Return the same as lines of text; ``number`` is the class number and the formula used."""
+    """Return the invariants as lines of text; ``number`` is the class number and the formula used."""
     base = O.value.ambient.base
     return [
         ("algebra", f"{O.algebra}, discriminant {O.value.ambient.discriminant}, level {O.level}"),
@@ -136,7 +136,7 @@ def _facts(O: Order, number: str) -> list[tuple[str, str]]:
 def _enumerated(
     args: Namespace, C: ClassSet, number: int | None
 ) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
-    """Answer with the list of classes; ``number`` is how many a formula gives, if there is one."""
+    """Answer with the list of classes; ``number`` is the class number by a formula, if there is one."""
     from hfield.orders.lattice_values import rows_json
 
     O = C.order
@@ -174,7 +174,7 @@ def _enumerated(
 
 
 def _table(C: ClassSet) -> AnswerSection:
-    """Return the first classes; ideals with a basis of four elements by a reduced one."""
+    """Return a table of the first classes; ideals with a basis of four elements have a reduced basis."""
     from hfield.presenting import TextTable
 
     some = list(islice(C, SHOWN))
@@ -199,7 +199,7 @@ def _table(C: ClassSet) -> AnswerSection:
 
 
 def _types(C: ClassSet) -> list[AnswerSection]:
-    """Return the types in the order of their labels, unless they are many or have none."""
+    """Return the types in the order of their labels; nothing if they are too many or have no labels."""
     from hfield.errors import UndecidedError
     from hfield.presenting import TextTable
 
@@ -216,7 +216,7 @@ def _types(C: ClassSet) -> list[AnswerSection]:
 
 
 def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], CertifiedClaim]]:
-    """Answer by strong approximation where an infinite place splits."""
+    """Answer by strong approximation, if an infinite place splits."""
     from hfield.evidence import CertifiedClaim
     from hfield.orders.certificates import REFUSAL
 

@@ -27,7 +27,7 @@ _hfield() {
   [[ -n $found[1] ]] && compadd -Q -a found || _files
 }
 compdef _hfield hfield""",
-    # files only where nothing else is known, as in the other shells
+    # file names only if nothing else can be completed, as in the other shells
     "fish": """\
 function _hfield
   set -l found (hfield completion --words (commandline -opc)[2..] (commandline -ct) 2>/dev/null)
@@ -35,7 +35,7 @@ function _hfield
 end
 complete -c hfield -f -a '(_hfield)'""",
 }
-# Spellings that no shell needs quoted, and algebras as they are typed within quotes.
+# Spellings that need no quotes in any shell, and algebras as typed within quotes.
 FIELDS: tuple[str, ...] = ("Q", "R", "C", "Z", "GF2", "GF3", "GF4", "GF7", "GF9", "GF2t", "Qx")
 FIELDS += ("QI", "Qsqrt2", "Qsqrt-7", "universal")
 ALGEBRAS = ("'(-1,-1|QQ)'", "'(-1,-3|QQ)'", "'(a,b|F)'", "'[1,t|GF(4)(t))'", "'H(GF(9))'")
@@ -53,7 +53,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Print the script, or candidates one a line."""
+    """Print the script, or the candidates, one per line."""
     from hfield.cli.parser import UsageError
 
     if args.words is not None:
@@ -77,7 +77,7 @@ def candidates(words: list[str]) -> list[str]:
         return _begin(last, names())
     try:
         return _begin(last, _arguments(before[0], before[-1], last))
-    except HFieldError:  # no such command: nothing to offer
+    except HFieldError:  # no such command: no completions
         return []
 
 
@@ -95,7 +95,7 @@ def _arguments(name: str, previous: str, last: str) -> Iterable[str]:
 
 
 def _values(metavar: object, choices: Iterable[str] | None) -> Iterable[str]:
-    """Return the possible values of an argument by its metavar; none for files, which shells complete."""
+    """Return the possible values of an argument by its metavar; none for files, which the shell completes."""
     if choices is not None:
         return choices
     if metavar in ("CLAIM", "ID"):

@@ -46,7 +46,7 @@ def configure(parser: ArgumentParser) -> None:
 
 @dataclass
 class CountTable:
-    """The counts, one a line: kind, number, formula or None; and the number of elements enumerated."""
+    """The counts, one per line: kind, number, formula or None; and the number of elements enumerated."""
 
     algebra: QuaternionAlgebra
     lines: list[Line]
@@ -79,7 +79,7 @@ def run(args: Namespace) -> int:
 def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> CountTable:
     """Count, and confirm unless ``formulas``. Raises :class:`NotFiniteError` over an infinite ring.
 
-    Over a finite ring that has no formulas (no field, and not ℤ/n) only the exhaustive count answers.
+    Over a finite ring without formulas (neither a field nor ℤ/n) only enumeration is used.
     """
     from hfield.algebra import structure
     from hfield.algebra.structure.counting.tally import LIMIT
@@ -102,7 +102,7 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
 
 
 def _lines(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> list[Line]:
-    """Return the lines of a table: each kind, for each of its scalars, with what ``number`` counts."""
+    """Return the lines of a table: each kind, for each of its scalars, with its count by ``number``."""
     from hfield.algebra.structure.counting.counted_kinds import KINDS
 
     lines: list[Line] = []
@@ -117,7 +117,7 @@ def _lines(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> lis
 
 
 def _labelled(F: Ring, kind: CountedKind) -> Iterator[tuple[str, Scalar]]:
-    """Yield the scalars for which a kind has a line in a table, with its label."""
+    """Yield the scalars that have a line in the table of a kind, with labels."""
     if not kind.scalars:
         yield from ((kind.label.format(F.text(x)), x) for x in islice(F.elements(), NORMS))
     for n in kind.scalars:
@@ -126,7 +126,7 @@ def _labelled(F: Ring, kind: CountedKind) -> Iterator[tuple[str, Scalar]]:
 
 
 def _norms(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> list[Line]:
-    """Return the lines for norms over a field: norm 0, and the square classes of the others."""
+    """Return the lines for norms over a field: norm 0, and one line per square class of nonzero norms."""
     zero = ("norm 0", *number("norm", A.ring.zero))
     classes = _classes(A)
     results = [number("norm", x) for _, x in classes]
@@ -136,7 +136,7 @@ def _norms(A: QuaternionAlgebra, number: Callable[[str, Scalar], Number]) -> lis
 
 
 def _classes(A: QuaternionAlgebra) -> list[tuple[str, Scalar]]:
-    """Return one nonzero scalar of each square class, with how to call the norms in it."""
+    """Return one nonzero scalar of each square class, with a label for the norms in the class."""
     F = A.ring
     classes: list[tuple[str, Scalar]] = [("each norm n a square ≠ 0", F.one)]
     if F.characteristic != 2:
@@ -150,7 +150,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, Scalar]]:
 
 
 def parts(result: CountTable, heading: str = "") -> list[AnswerSection]:
-    """Return the text output; without a heading, as a part of the page about the algebra."""
+    """Return the text output; without a heading, as a section of the page about the algebra."""
     from hfield.latex import words
     from hfield.presenting import LayoutBlock, TextTable, hanging
 
@@ -176,7 +176,7 @@ def parts(result: CountTable, heading: str = "") -> list[AnswerSection]:
 
 
 def _note(result: CountTable) -> str:
-    """Say how the counts were found."""
+    """Describe how the counts were computed."""
     if result.exhausted is None:
         return "by formulas, not confirmed by enumeration"
     if all(formula is None for _, _, formula in result.lines):

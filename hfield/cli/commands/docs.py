@@ -1,4 +1,4 @@
-"""``hfield docs``: the documentation that is installed, in the browser."""
+"""``hfield docs``: open the installed documentation in the browser."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Open a page, or say where it is."""
+    """Open a page, or print its location."""
     if not SITE.is_dir():
         raise UsageError(
             "the documentation is not installed: in a checkout, `pip install '.[docs]'` and "

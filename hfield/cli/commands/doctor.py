@@ -59,7 +59,7 @@ def run(args: Namespace) -> int:
 
 
 def _needed() -> list[str]:
-    """Return the libraries that hfield itself asks for, as its own metadata says."""
+    """Return the libraries that hfield requires, from its package metadata."""
     try:
         lines = requires("hfield") or []
     except PackageNotFoundError:  # run from a folder, not installed

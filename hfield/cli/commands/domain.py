@@ -67,8 +67,8 @@ def run(args: Namespace) -> int:
     points = [domain.reduce(point) for point in found]
     if args.output is not None:
         domain.draw(args.output, points=points, dark=args.dark, replace=replace)
-    args.output = None  # what is printed goes to the terminal
-    # a centre of one's own has a domain of its own, which says less than the group
+    args.output = None  # the printed output goes to the terminal
+    # a given centre has its own domain, which carries less information than the group
     claim = domain.group if center is None else domain
     return answer_certified(
         args,
@@ -89,7 +89,7 @@ def _complex(text: str) -> complex:
 
 
 def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, object]:
-    """Return what programs read, with CM points in the domain."""
+    """Return the JSON data, with CM points in the domain."""
     group = domain.group
     text = group.order.algebra.ring.text
     genus, orders, cusps = group.signature
@@ -125,7 +125,7 @@ def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, object]
 
 
 def parts(domain: Domain, points: Sequence[CMPoint] = ()) -> list[AnswerSection]:
-    """Return what people read, with CM points in the domain."""
+    """Return the text output, with CM points in the domain."""
     from hfield.presenting import Facts
 
     group = domain.group

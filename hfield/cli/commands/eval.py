@@ -64,7 +64,7 @@ def _compute(A: QuaternionAlgebra, text: str) -> OutputDocument:
 
 
 def _hilbert_symbol(A: QuaternionAlgebra, arguments: str) -> int:
-    """Return the symbol of two elements of the field at a place, read from the text ``a, b, place``."""
+    """Return the Hilbert symbol for a text ``a, b, place``: two elements of the field and a place."""
     from hfield.fields.quadratic_forms.ramification import hilbert_symbol
     from hfield.syntax.brackets import split
 

@@ -57,7 +57,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Write the file; report the number of theorems and what was left out."""
+    """Write the file; report the number of theorems and what was omitted."""
     from hfield.export.coq.export import Export, export_certificates, export_statements
     from hfield.export.coq.ledger import export_ledger
     from hfield.ledger.registry import find
@@ -99,7 +99,7 @@ def _summarise(file: str, summary: str) -> None:
 
 
 def _lean(args: Namespace) -> int:
-    """Write a file for Lean; report the number of theorems and what was left out."""
+    """Write a file for Lean; report the number of theorems and what was omitted."""
     from hfield.export.lean import lean_file, lean_theorems
     from hfield.prover.prove import prove
 
@@ -122,7 +122,7 @@ def _lean(args: Namespace) -> int:
 
 
 def _certificates(files: list[str]) -> dict[str, object]:
-    """Read certificates, by names for their theorems. Raises UsageError for a file that is not JSON."""
+    """Read certificates, by theorem name. Raises UsageError for a file that is not JSON."""
     out: dict[str, object] = {}
     for file in files:
         base = name = "certificate_" + re.sub(r"[^0-9A-Za-z]+", "_", Path(file).stem)

@@ -1,4 +1,4 @@
-"""``hfield field``: the integers, class group and unit group of a number field."""
+"""``hfield field``: the ring of integers, class group and unit group of a number field."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
 
 
 def to_json(K: NumberField) -> dict[str, object]:
-    """Return what programs read."""
+    """Return the JSON data."""
     units = K.unit_group()
 
     def group(found: ClassGroup) -> dict[str, object]:
@@ -87,7 +87,7 @@ def to_json(K: NumberField) -> dict[str, object]:
 
 
 def parts(K: NumberField) -> list[AnswerSection]:
-    """Return what people read."""
+    """Return the text output."""
     from hfield.presenting import Facts
 
     real, units = len(K.real_places()), K.unit_group()

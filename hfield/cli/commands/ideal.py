@@ -74,7 +74,7 @@ def _answer(
 
 
 def _ideal_and_answer(args: Namespace) -> tuple[Ideal, Verdict[Quaternion] | None]:
-    """Return the ideal, and the answer to the question about it, if there is one."""
+    """Return the ideal, and the answer to the question about it, if one was asked."""
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level, A))
     make = O.left_ideal if args.side == "left" else O.right_ideal
@@ -87,7 +87,7 @@ def _ideal_and_answer(args: Namespace) -> tuple[Ideal, Verdict[Quaternion] | Non
 
 
 def to_json(I: Ideal, answer: Verdict[Quaternion] | None) -> dict[str, object]:
-    """Return what programs read."""
+    """Return the JSON data."""
     data = {
         "schema": "hfield-ideal/1",
         **_lattice_json(I),
@@ -115,7 +115,7 @@ def _lattice_json(I: Ideal) -> dict[str, object]:
 
 
 def _kinds(I: Ideal) -> str:
-    """Return what an ideal is, after a colon."""
+    """Return the properties of an ideal as text that follows a colon."""
     properties = (
         ("integral", I.is_integral()),
         ("locally principal", I.is_invertible()),
@@ -126,7 +126,7 @@ def _kinds(I: Ideal) -> str:
 
 
 def parts(I: Ideal, answer: Verdict[Quaternion] | None, question: str) -> list[AnswerSection]:
-    """Return what people read."""
+    """Return the text output."""
     from hfield.presenting import Facts
 
     other = I.right_order() if I.side == "left" else I.left_order()

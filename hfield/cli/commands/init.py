@@ -25,7 +25,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Write the ledger, unless the file is there."""
+    """Write the ledger, unless the file exists."""
     if args.file not in ("-", "") and Path(args.file).exists():
         raise UsageError(
             f"{shorten(args.file)!r} exists already and was not changed: name another file"

@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
 
 
 def collection(A: QuaternionAlgebra, what: str) -> Elements:
-    """Return the collection that a word of the command line names. Raises :class:`UsageError`."""
+    """Return the collection named on the command line. Raises :class:`UsageError`."""
     name, equals, value = what.partition("=")
     if what in SETS:
         found: Elements = getattr(A, what.replace("-", "_"))()

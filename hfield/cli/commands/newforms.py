@@ -1,4 +1,4 @@
-"""``hfield newforms``: Galois orbits of newforms, by the ideal classes of an Eichler order."""
+"""``hfield newforms``: Galois orbits of newforms, from the ideal classes of an Eichler order."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ HELP = (
     "eigenvalues, eigenvalues a_P, and Atkin–Lehner signs w_P. Over QQ they are all newforms of level "
     "D·N, where D is the discriminant of the algebra and N the level of the order, with q-expansions and the "
     "labels of the LMFDB. Over a totally real field they are Hilbert modular forms of parallel weight. "
-    "--certificate FILE writes a proof that these are all orbits, with their eigenvalues and signs: over QQ in "
-    "weights up to 100, over totally real fields in weight 2."
+    "--certificate FILE writes a proof that these are all orbits, with their eigenvalues and signs: over QQ "
+    "in weights up to 100, over totally real fields in weight 2."
 )
 DOING = "enumerating classes"
 EXAMPLES = (
@@ -102,7 +102,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
 
 
 def _data(C: ClassSet, k: int, forms: list[Newform], bound: int) -> dict[str, object]:
-    """Return the newforms as JSON data; eigenvalues are ints, or coefficients of powers of the root."""
+    """Return the newforms as JSON data; an eigenvalue is an int, or coefficients of powers of the root."""
     A: Any = C.order.algebra
     if A.is_over_number_field:
         discriminant: object = [str(P) for P in A.discriminant()]
@@ -151,7 +151,7 @@ def _parts(C: ClassSet, k: int, forms: list[Newform], bound: int) -> list[Answer
 
 
 def _facts(f: Newform, bound: int) -> list[tuple[str, str]]:
-    """Return what the page says of a newform."""
+    """Return the text output for a newform."""
     facts = [("signs", ", ".join(f"w_{P} = {w}" for P, w in f.signs.items()))] if f.signs else []
     if f.degree > MAX_SHOWN_DEGREE:
         traces = ", ".join(f"a_{P} = {t}" for P, t in f.traces_up_to(bound).items())

@@ -88,13 +88,13 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], CertifiedClai
 
 
 def _units_json(O: Order) -> dict[str, object]:
-    """Return the units for programs, by their coordinates."""
+    """Return the units by coordinates, as JSON data."""
     text = O.algebra.ring.text
     return {"unit_list": [[text(x) for x in q.coordinates] for q in O.units()]}
 
 
 def _listed_units(O: Order) -> AnswerSection:
-    """Return the units for people; over other bases than ℤ one of each coset of those of the base."""
+    """Return the units as text; over bases other than ℤ, one of each coset modulo the units of the base."""
     from hfield.presenting import Facts
 
     name = "unit" if O.value.ambient.base.lists_all_units else "coset of unit"
@@ -114,7 +114,7 @@ def _made(args: Namespace) -> Order:
 
 
 def to_json(O: Order) -> dict[str, object]:
-    """Return what programs read: None for what makes no sense, or is not known."""
+    """Return the JSON data; None for invariants that are undefined or unknown."""
     maximal, (number, how) = O.is_maximal(), _class_number(O)
     mass = _known(O.mass)
     return {
@@ -142,7 +142,7 @@ def to_json(O: Order) -> dict[str, object]:
 
 
 def _known(compute: Callable[[], T]) -> T | None:
-    """Return an invariant, None where the order has none or it is not known."""
+    """Return an invariant, or None if it is undefined or unknown."""
     try:
         return compute()
     except (IndefiniteError, NotFiniteError, TooLargeError, UndecidedError):
@@ -150,7 +150,7 @@ def _known(compute: Callable[[], T]) -> T | None:
 
 
 def _class_number(O: Order) -> tuple[int | None, str | None]:
-    """Return how many classes of ideals an Eichler order has, and how that is known without enumeration."""
+    """Return the class number of an Eichler order without enumeration, and how it was obtained."""
     from hfield.orders.mass_formula import class_number_by_formula
 
     if not O.is_eichler():
@@ -194,7 +194,7 @@ def parts(O: Order) -> list[AnswerSection]:
 
 
 def _units(O: Order) -> str:
-    """Return the number of units, and their group, for people."""
+    """Return the number and the group of units, as text."""
     modulo = "" if O.value.ambient.base.lists_all_units else " modulo those of the field"
     if not O.is_definite():
         return f"infinitely many{modulo}"

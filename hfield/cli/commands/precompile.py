@@ -1,4 +1,4 @@
-"""``hfield precompile``: compile the loops over arrays ahead of time and keep them on disk."""
+"""``hfield precompile``: compile the loops over arrays ahead of time and cache them on disk."""
 
 from __future__ import annotations
 
@@ -62,9 +62,9 @@ def run(args: Namespace) -> int:
 
 
 def _usual(name: str) -> Iterator[QuaternionAlgebra]:
-    """Yield the algebras whose compiled loops serve nearly all others: H, (a,b|F) and, if 2 = 0, [a,b|F).
+    """Yield the algebras whose compiled loops cover nearly all others: H, (a,b|F) and, if 2 = 0, [a,b|F).
 
-    Over finite rings the structure constants are read by the loop, unless they are 0, 1 or −1.
+    Over finite rings the loops read the structure constants at run time, unless they are 0, 1 or −1.
     """
     from hfield.algebra import H, QuaternionAlgebra
 

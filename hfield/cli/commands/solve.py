@@ -97,6 +97,6 @@ def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> OutputDocume
 
 
 def _plain(v: Mapping[str, Value]) -> object:
-    """Return texts by names, or the one there is."""
+    """Return a mapping of texts by name, or a single text."""
     shown = {name: x.text() for name, x in v.items()}
     return shown if len(shown) > 1 else next(iter(shown.values()))

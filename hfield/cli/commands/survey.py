@@ -1,4 +1,4 @@
-"""``hfield survey``: compute class sets or groups of units over ranges; it can be resumed."""
+"""``hfield survey``: compute class sets or unit groups over a range; an interrupted survey can be resumed."""
 
 from __future__ import annotations
 
@@ -121,13 +121,13 @@ def run(args: Namespace) -> int:
 
 
 class Columns:
-    """Rows of a survey as lines under a head, for people; the first rows decide how wide columns are."""
+    """The rows of a survey as aligned text; the first rows determine the column widths."""
 
     def __init__(self) -> None:
         self._widths: list[int] = []
 
     def lines(self, rows: Sequence[Mapping[str, object]]) -> Iterator[str]:
-        """Yield the rows as lines, a head first."""
+        """Yield the rows as lines, after a header."""
         cells = [[_cell(value) for value in row.values()] for row in rows]
         if rows and not self._widths:
             cells.insert(0, [name.replace("_", " ") for name in rows[0]])
@@ -138,14 +138,14 @@ class Columns:
 
 
 def _cell(value: object) -> str:
-    """Write a value of a row: a table such as ``{"24": 1}`` as ``24: 1``."""
+    """Format a value of a row: a table such as ``{"24": 1}`` as ``24: 1``."""
     if isinstance(value, dict):
         return ", ".join(f"{name}: {number}" for name, number in value.items())
     return value if isinstance(value, str) else json.dumps(value)
 
 
 def numbers(text: str, name: str) -> list[int]:
-    """Read ``2..100``, or ``2,3,5``, or both mixed. Raises :class:`UsageError`."""
+    """Read ``2..100``, ``2,3,5``, or a mixture. Raises :class:`UsageError`."""
     found: list[int] = []
     for word in text.split(","):
         low, dots, high = word.strip().partition("..")
@@ -165,7 +165,7 @@ def numbers(text: str, name: str) -> list[int]:
 
 
 def _asked(args: Namespace) -> Plan[int] | Plan[str]:
-    """Return the survey that the arguments describe, and its pairs."""
+    """Return the survey described by the arguments, and its pairs."""
     from hfield import surveys
     from hfield.surveys import Plan
 
@@ -214,7 +214,7 @@ def _pyarrow() -> ModuleType:
 
 
 def _to_parquet(journal: Journal, path: Path, names: tuple[str, str]) -> None:
-    """Write the rows of the journal as one Parquet file, whole or not at all, and drop the journal."""
+    """Write the rows of the journal as one Parquet file, atomically, and delete the journal."""
     pyarrow = _pyarrow()
     rows = sorted(journal.read(), key=lambda row: (row[names[0]], row[names[1]]))
     for row in rows:

@@ -1,4 +1,4 @@
-"""``hfield upgrade``: rewrite certificates of the first schema in the present one."""
+"""``hfield upgrade``: rewrite certificates of the first schema in the current one."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Write each certificate anew; return the exit status."""
+    """Write each certificate in the current schema; return the exit status."""
     if args.into is None and len(args.files) > 1:
         raise UsageError("several files are written to a directory: give --into DIR")
     if args.into is not None:
@@ -82,7 +82,7 @@ def _upgraded(name: str) -> dict[str, object]:
 
 
 def _over(value: Any, old: str, new: str) -> Any:
-    """Write algebras over the field of another spelling."""
+    """Rewrite algebras with the new spelling of their field."""
     if isinstance(value, list):
         return [_over(x, old, new) for x in value]
     if not isinstance(value, dict):
@@ -101,7 +101,7 @@ def _ring(name: str) -> Mapping[str, object]:
 
 
 def _place(text: str, data: Mapping[str, object] | None) -> Mapping[str, object]:
-    """Read a place as the first schema wrote it. Raises :class:`HFieldError`."""
+    """Read a place in the notation of the first schema. Raises :class:`HFieldError`."""
     from hfield.fields.quadratic_forms.global_field import known_field
 
     if data is None:

@@ -1,4 +1,4 @@
-"""``hfield verify``: decide claims over fields and report what was found."""
+"""``hfield verify``: decide claims over fields and report the results."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
 
 
 def _certificates(rows: Sequence[Row], directory: str | None) -> dict[tuple[str, str], str]:
-    """Write the certificates if they are wanted; return their paths by claim and field."""
+    """Write the certificates if requested; return their paths by claim and field."""
     if directory is None:
         return {}
     from pathlib import Path

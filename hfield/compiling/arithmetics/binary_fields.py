@@ -1,9 +1,9 @@
-"""GF(2^k), k ≤ 64: sums are exclusive ors, products carry-less, reduced once after all has been added.
+"""GF(2^k), k ≤ 64: sums are exclusive ors; products are carry-less and reduced once at the end.
 
-A number is the polynomial over GF(2) with the bits of its label. Small fields multiply bit by bit, which
-runs over many numbers at a time. Large ones take the processor's carry-less multiplication where it has one,
-else products of integers with holes: three of four bits are 0, so that no carry reaches the next bit in use
-(T. Pornin's BearSSL multiplies so). They reduce by two more products, after Barrett.
+A number is the polynomial over GF(2) with the bits of its label. Small fields multiply bit by bit, for many
+numbers at a time. Large fields use the processor's carry-less multiplication if available. Otherwise they use
+integer products of words in which three of four bits are 0, so that no carry reaches the next used bit (as in
+T. Pornin's BearSSL). They reduce by two more products (Barrett).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _PAIR = vector("i64", 2)
 
 
 class BinaryPolynomial(NamedTuple):
-    """A value of the loop, and the greatest degree that it may have."""
+    """A value of the loop, with an upper bound for its degree."""
 
     name: str
     degree: int
@@ -29,7 +29,7 @@ class BinaryPolynomial(NamedTuple):
 
 @dataclass(frozen=True)
 class _BinaryField(Arithmetic[BinaryPolynomial]):
-    """GF(2^k) modulo the irreducible polynomial with the bits of ``modulus``."""
+    """The field GF(2^k), given by the irreducible polynomial with the bits of ``modulus``."""
 
     modulus: int
 
@@ -40,7 +40,7 @@ class _BinaryField(Arithmetic[BinaryPolynomial]):
 
     @property
     def dtype(self) -> str:
-        """The smallest unsigned integers that hold k bits."""
+        """The smallest unsigned integer type with k bits."""
         return unsigned((1 << self.degree) - 1)
 
     def negate(self, code: Code, x: BinaryPolynomial) -> BinaryPolynomial:
@@ -57,11 +57,11 @@ class _BinaryField(Arithmetic[BinaryPolynomial]):
 
 @dataclass(frozen=True)
 class SmallBinaryField(_BinaryField):
-    """GF(2^k), k ≤ 32, bit by bit in words of 2k bits at least."""
+    """GF(2^k), k ≤ 32, computed bit by bit in words of at least 2k bits."""
 
     @property
     def word(self) -> str:
-        """LLVM's name of the integer type of unreduced products."""
+        """LLVM's name of the integer type for unreduced products."""
         return f"i{max(16, 2 * 8 * int(self.dtype[1]))}"
 
     def load(self, code: Code, raw: str) -> BinaryPolynomial:
@@ -95,7 +95,7 @@ class SmallBinaryField(_BinaryField):
         return BinaryPolynomial(total, x.degree + y.degree)
 
     def _spread(self, code: Code, x: BinaryPolynomial, n: int) -> str:
-        """Return the bit n of x in every bit."""
+        """Return a word with bit n of x in every bit."""
         bits = int(self.word[1:])
         top = code.value(f"shl {self.word} {x.name}, {bits - 1 - n}")
         return code.value(f"ashr {self.word} {top}, {bits - 1}")
@@ -153,7 +153,7 @@ class LargeBinaryField(_BinaryField):
         inverse = _quotient(1 << 2 * k, f)
         if (
             k == 64
-        ):  # the leading bits of both, which no word holds, stand for a product that is known
+        ):  # the leading bits of both, which do not fit into a word, represent a known product
             quotient = self._shifted(
                 code, self._carryless(code, top, self._pair(inverse - (1 << 64)))
             )
@@ -208,7 +208,7 @@ class LargeBinaryField(_BinaryField):
 
     @staticmethod
     def _with_holes(code: Code, x: str, y: str) -> str:
-        """Return the carry-less product of two halves of a word: at most 8 ones meet in a place."""
+        """Return the carry-less product of two half words; at most 8 ones are added at each bit position."""
         v = code.value
         xs, ys = (
             [v(f"and i64 {z}, {HOLES << n & (1 << 64) - 1}") for n in range(4)] for z in (x, y)

@@ -1,4 +1,4 @@
-"""Floats of 64 bits in loops: the operations rounded one by one, in the order in which they are written."""
+"""64-bit floats in loops: operations are rounded one by one, in the order in which they are written."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Doubles(Arithmetic[str]):
         return code.value(f"bitcast double {x} to i64")
 
     def constant(self, code: Code, value: float) -> str:
-        """Return a number known beforehand."""
+        """Return a number known at compile time."""
         return floating(value, "double")
 
     def add(self, code: Code, x: str, y: str) -> str:
@@ -48,14 +48,14 @@ class Doubles(Arithmetic[str]):
 
 @dataclass(frozen=True)
 class FloatFormula:
-    """A function of floats that a loop evaluates on symbols, in place of a straight-line program."""
+    """A function of floats that a loop evaluates on symbols, instead of a straight-line program."""
 
     function: Callable[..., tuple[Symbol[str], ...]]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
     def evaluate(self, values: dict[str, Symbol[str]], zero: Symbol[str]) -> Sequence[Symbol[str]]:
-        """Return the results for inputs by their names."""
+        """Return the results for inputs given by name."""
         return self.function(*(values[name] for name in self.inputs))
 
 

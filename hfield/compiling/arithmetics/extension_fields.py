@@ -1,7 +1,7 @@
-"""GF(pⁿ), p odd: digits in base p as residues in a floating word, products of polynomials, one reduction.
+"""GF(pⁿ), p odd: base-p digits as residues in a floating word, polynomial products, one reduction.
 
-A label is ``Σ dᵢ·pⁱ`` for the element ``Σ dᵢ·xⁱ``, as in galois. The digits are multiplied and added
-unreduced as far as the word holds them.
+A label is ``Σ dᵢ·pⁱ`` for the element ``Σ dᵢ·xⁱ``, as in galois. The digits are multiplied and added without
+reduction as long as the word can hold them.
 """
 
 from __future__ import annotations
@@ -36,17 +36,19 @@ class OddExtension(Arithmetic[P]):
 
     @property
     def dtype(self) -> str:
-        """The smallest unsigned integers that hold every label."""
+        """The smallest unsigned integer type that holds every label."""
         return unsigned(self.order - 1)
 
 
 @dataclass(frozen=True)
 class PolynomialArithmetic(OddExtension[Digits]):
-    """The field by products of polynomials, whose digits are residues."""
+    """The field by products of polynomials whose digits are residues."""
 
     @cached_property
     def digits(self) -> ResidueArithmetic:
-        """The arithmetic of the digits, in the smaller type if labels and sums of four products fit in."""
+        """The arithmetic of the digits, in the smaller type if labels and sums of four products fit
+        into it.
+        """
         largest = max(self.order, 8 * self.degree * self.characteristic**2)
         return ResidueArithmetic(
             self.characteristic, "float" if largest < LIMITS["float"] else "double"
@@ -121,7 +123,7 @@ class PolynomialArithmetic(OddExtension[Digits]):
         return tuple(operation(code, a, b) for a, b in zip(x, y, strict=True))
 
     def _reduced(self, code: Code, x: Digits) -> Digits:
-        """Substitute the powers from n on modulo the polynomial, then reduce the digits."""
+        """Substitute powers of degree ≥ n modulo the polynomial, then reduce the digits."""
         low, n = self.digits, self.degree
         digits = list(x[:n])
         for high, power in zip(x[n:], self._powers, strict=False):

@@ -1,8 +1,8 @@
-"""GF(pⁿ), p odd and pⁿ ≤ 2¹⁶, by logarithms: for high degrees, where products of polynomials take longer.
+"""GF(pⁿ), p odd and pⁿ ≤ 2¹⁶, by logarithms: for high degrees, where polynomial products take longer.
 
-A product is the entry of a table of powers at the sum of two logarithms. The table holds digits in base p in
-fields of a word, wide enough for the sum of a few, so sums are sums of words. A table of a few digits at a
-time turns a sum into a label.
+A product is the entry at the sum of two logarithms in a table of powers. The table holds base-p digits in bit
+fields of a word, wide enough for sums of several digits, so sums of elements are sums of words. A table for a
+few digits at a time converts a sum to a label.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 from hfield.compiling.arithmetics.extension_fields import OddExtension
 from hfield.compiling.instructions import Code, raw_type
 
-TERMS = 5  # so many times p − 1 fits in a field: four products, and what makes their sum positive
+TERMS = 5  # multiples of p − 1 that fit into a field: four products, and one that makes the sum positive
 INDEX_BITS = 12  # of the table that turns fields into labels; it stays in the nearest cache
 
 
@@ -28,7 +28,7 @@ class Logarithm(NamedTuple):
 
 
 class Packed(NamedTuple):
-    """The names of the words of a sum of packed digits, and the least and greatest value of a digit."""
+    """The names of the words of a sum of packed digits, with bounds of the digits."""
 
     words: tuple[str, ...]
     low: int
@@ -49,7 +49,7 @@ class ByLogarithms(OddExtension[Number]):
     @property
     @abstractmethod
     def word(self) -> str:
-        """The integers that hold packed digits, by LLVM's name."""
+        """LLVM's name of the integer type of packed digits."""
 
     @property
     @abstractmethod
@@ -79,7 +79,7 @@ class ByLogarithms(OddExtension[Number]):
         return self.logarithm(code, raw)
 
     def store(self, code: Code, x: Number) -> str:
-        """Write the label: the sum of what a table says of each group of digits."""
+        """Write the label: the sum of table entries, one for each group of digits."""
         x = self._packed(code, x)
         bias = self._bias(x.low)
         return self.label(code, self.biased(code, x.words, bias) if bias else x.words)
@@ -120,7 +120,7 @@ class ByLogarithms(OddExtension[Number]):
         return self.logarithm(code, self.store(code, x))
 
     def _fitting(self, code: Code, x: Number, y: Number, sign: int) -> tuple[Packed, Packed]:
-        """Return both packed, and reduced where a digit of ``x ± y`` would not fit its field."""
+        """Return both operands packed, reduced if a digit of ``x ± y`` would not fit into its bit field."""
         a, b = self._packed(code, x), self._packed(code, y)
         low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
         if self._bias(a.low + low) + a.high + high >= self.capacity:
@@ -128,17 +128,17 @@ class ByLogarithms(OddExtension[Number]):
         return a, b
 
     def _bias(self, low: int) -> int:
-        """Return the multiple of p that makes digits from ``low`` on positive."""
+        """Return the multiple of p that makes digits from ``low`` upwards positive."""
         return -(low // self.characteristic) * self.characteristic if low < 0 else 0
 
 
 @dataclass(frozen=True)
 class LogarithmicField(ByLogarithms):
-    """The field by tables in memory, an element at a time."""
+    """The field by tables in memory, one element at a time."""
 
     @cached_property
     def width(self) -> int:
-        """The bits of a field."""
+        """The number of bits of a bit field."""
         return (TERMS * (self.characteristic - 1)).bit_length()
 
     @property
@@ -157,7 +157,7 @@ class LogarithmicField(ByLogarithms):
         return max(1, INDEX_BITS // self.width)
 
     def tables(self) -> tuple[np.ndarray, ...]:
-        """Return logarithms, packed powers, and labels of a group of fields."""
+        """Return the tables of logarithms, packed powers, and labels of groups of bit fields."""
         return _tables(self)
 
     def constant(self, code: Code, value: int) -> Logarithm:
@@ -176,7 +176,7 @@ class LogarithmicField(ByLogarithms):
         return Logarithm(code.value(f"zext i32 {found} to i64"))
 
     def power(self, code: Code, *logarithms: Logarithm) -> Packed:
-        """Return the digits, by table; the entry of log 0 is so high that every sum with it gives 0."""
+        """Return the digits, by table; log 0 is so large that every sum with it gives 0."""
         # two steps from the table's beginning: the processor takes the second while it loads
         at = "%table1"
         for logarithm in logarithms:
@@ -211,7 +211,8 @@ def _tables(field: LogarithmicField) -> tuple[np.ndarray, ...]:
     table[: q - 1] = table[q - 1 : 2 * (q - 1)] = packed.astype(kind)
     index = np.arange(1 << field.width * field.group)
     fields = (index[:, None] >> field.width * np.arange(field.group)) % (1 << field.width) % p
-    # for each group of digits, what it adds to the label; digits beyond the last add nothing
+    # for each group of digits, its contribution to the label; digits beyond the last contribute
+    # nothing
     parts = [fields @ p ** (start + np.arange(field.group)) for start in range(0, n, field.group)]
     return logarithms, table, np.concatenate(parts).astype(field.dtype)
 
@@ -219,7 +220,7 @@ def _tables(field: LogarithmicField) -> tuple[np.ndarray, ...]:
 def powers(field: ByLogarithms) -> np.ndarray:
     """Return the digits of 1, g, g², …, the units of the field, as rows of shape (q − 1, n).
 
-    The first half times a power of g is the second. Raises ValueError where g does not generate the units.
+    The second half is the first half times a power of g. Raises ValueError if g does not generate the units.
     """
     p, n = field.characteristic, field.degree
     shift = np.zeros((n, n), np.int64)  # rows times this: times x

@@ -1,8 +1,8 @@
 """Integers of 8 to 64 bits: without checks for small operands, else with overflow checks.
 
-`SmallWholeNumbers` computes without a check and tells when an operand was too large for its bounds; what the
-bounds of the results are decides how wide they are written. `CheckedWholeNumbers` asks after each
-operation, and tells when one overflowed.
+`SmallWholeNumbers` computes without checks and reports an operand that was too large for its bounds; the
+bounds of the results decide the width in which they are written. `CheckedWholeNumbers` checks after each
+operation, and reports overflow.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ WORD = 2**63
 
 
 class TooWideError(ArithmeticError):
-    """Numbers that a word does not hold."""
+    """Numbers that do not fit into a word."""
 
 
 def holds(dtype: str) -> int:
-    """Return the largest number M in a row of this type; the least is −M, with 64 bits −M − 1."""
+    """Return the largest number M in a row of this type; the least is −M, or −M − 1 for 64 bits."""
     return (1 << 8 * int(dtype[1]) - 1) - 1
 
 
@@ -62,7 +62,7 @@ class SmallWholeNumbers(Arithmetic[Bounded]):
         return code.value(f"trunc i64 {x.name} to {raw_type(self.result)}")
 
     def constant(self, code: Code, value: int) -> Bounded:
-        """Return a number known beforehand."""
+        """Return a number known at compile time."""
         return _within(Bounded(str(value), value, value))
 
     def add(self, code: Code, x: Bounded, y: Bounded) -> Bounded:
@@ -112,7 +112,7 @@ class CheckedWholeNumbers(Arithmetic[str]):
         return x
 
     def constant(self, code: Code, value: int) -> str:
-        """Return a number known beforehand."""
+        """Return a number known at compile time."""
         if not -WORD <= value < WORD:
             raise TooWideError
         return str(value)
@@ -144,9 +144,9 @@ class CheckedWholeNumbers(Arithmetic[str]):
 def widest(
     fits: Callable[[SmallWholeNumbers], object], dtype: str = "i8"
 ) -> SmallWholeNumbers | None:
-    """Return the arithmetic of the widest operands, and then the narrowest results, that fit.
+    """Return the arithmetic with the widest operands that fit, and among these with the narrowest results.
 
-    ``fits`` raises TooWideError for an arithmetic that does not.
+    ``fits`` raises TooWideError for an arithmetic that does not fit.
     """
 
     def first(candidates: Iterable[SmallWholeNumbers]) -> SmallWholeNumbers | None:

@@ -1,7 +1,8 @@
 """GF(pⁿ), n > 1 and pⁿ ≤ 256, 64 elements at a time, by logarithm tables in registers.
 
-The instruction vpermi2b of AVX-512 VBMI looks 64 bytes up at once in a table of 128, and two do in one of
-256: logarithms of labels, then the digits of powers, as many in a byte as leave space for the sum of a few.
+The instruction vpermi2b of AVX-512 VBMI looks up 64 bytes at once in a table of 128 bytes, and two such
+instructions do so in a table of 256. The tables contain the logarithms of labels, and the digits of powers; a
+byte contains as many digits as leave space for the sum of a few.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ LOOK_UP = "llvm.x86.avx512.vpermi2var.qi.512"
 
 @dataclass(frozen=True)
 class RegisterField(ByLogarithms):
-    """The field, p odd, with digits in base p in one to three bytes."""
+    """The field for odd p, with base-p digits in one to three bytes."""
 
     lanes = LANES
     word = VECTOR
@@ -77,7 +78,7 @@ class RegisterField(ByLogarithms):
         return label
 
     def _product(self, code: Code, x: str, y: str) -> str:
-        """Return the sum of two logarithms modulo q − 1, or log 0 where one is that."""
+        """Return the sum of two logarithms modulo q − 1, or log 0 if one of them is log 0."""
         v, units, log_zero = code.value, _all(self.order - 1), _all(LOG_ZERO)
         gap = v(f"sub {VECTOR} {units}, {y}")
         beyond, below = v(f"sub {VECTOR} {x}, {gap}"), v(f"icmp ult {VECTOR} {x}, {gap}")
@@ -90,7 +91,7 @@ class RegisterField(ByLogarithms):
 
 @dataclass(frozen=True)
 class BinaryRegisterField(RegisterField):
-    """The field, p = 2, with the label itself in a byte: sums are exclusive ors."""
+    """The field for p = 2, with the label itself in a byte: sums are exclusive ors."""
 
     capacity = 2
 

@@ -1,10 +1,12 @@
-"""Residues modulo n ≤ 2³²: products and sums stay unreduced while they fit a word, then are reduced once.
+"""Residues modulo n ≤ 2³²: products and sums stay unreduced while they fit into a word, then are reduced
+once.
 
-What stands for a residue carries bounds. Where a sum or a product could leave the word, the operand with the
-wider bounds is reduced first; so the product of Hamilton's quaternions needs one reduction a coordinate.
-The words are ``float`` (24 bits), ``double`` (53 bits) and ``i64``. Reducing multiplies by a rounded 1/n. For
-floating words ``⌊(x + ½)/n⌋`` is then exact: x + ½ lies 1/2 at least from every multiple of n, and while |x|
-stays below the limits here three roundings move ``(x + ½)/n`` by less than 1/(2n).
+The value that represents a residue has known bounds. If a sum or a product could overflow the word, the
+operand with the wider bounds is reduced first; so the product of Hamilton's quaternions needs one reduction
+per coordinate. The words are ``float`` (24 bits), ``double`` (53 bits) and ``i64``. A reduction multiplies by
+a rounded 1/n. For floating words ``⌊(x + ½)/n⌋`` is then exact: x + ½ is at least 1/2 away from every
+multiple of n, and while |x| stays below the limits here three roundings change ``(x + ½)/n`` by less than
+1/(2n).
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ _OPERATIONS = {
 
 
 class Bounded(NamedTuple):
-    """A value of the loop, and the least and greatest whole number that it may be."""
+    """A value of the loop, with the least and greatest integer that it may be."""
 
     name: str
     low: int
@@ -46,18 +48,18 @@ class ResidueArithmetic(Arithmetic[Bounded]):
 
     @classmethod
     def modulo(cls, n: int) -> ResidueArithmetic:
-        """Return the arithmetic modulo n, in the word that is quickest."""
+        """Return the arithmetic modulo n, in the fastest word type."""
         return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
 
     @property
     def dtype(self) -> str:
-        """The smallest unsigned integers that hold n − 1."""
+        """The smallest unsigned integer type that holds n − 1."""
         return unsigned(self.modulus - 1)
 
     # --- in and out ----------------------------------------------------------------------------
 
     def load(self, code: Code, raw: str) -> Bounded:
-        """Load a residue; for a large modulus the representative nearest to 0, whose products fit."""
+        """Load a residue; for a large modulus, as the representative nearest to 0, so that products fit."""
         kind, n = raw_type(self.dtype), self.modulus
         if self.word != "i64":
             return Bounded(code.value(f"uitofp {kind} {raw} to {self.word}"), 0, n - 1)
@@ -73,13 +75,13 @@ class ResidueArithmetic(Arithmetic[Bounded]):
         return code.value(f"{how} {self.word} {name} to {raw_type(self.dtype)}")
 
     def constant(self, code: Code, value: int) -> Bounded:
-        """Return a residue known beforehand."""
+        """Return a residue known at compile time."""
         n = self.modulus
         value = (value + n // 2) % n - n // 2
         return Bounded(self.number(value), value, value)
 
     def number(self, value: float) -> str:
-        """Write a number of this word."""
+        """Write a number of this word type."""
         return str(value) if self.word == "i64" else floating(value, self.word)
 
     # --- + − × ---------------------------------------------------------------------------------
@@ -126,7 +128,7 @@ class ResidueArithmetic(Arithmetic[Bounded]):
     # --- reducing ------------------------------------------------------------------------------
 
     def reduced(self, code: Code, x: Bounded, centred: bool = False) -> Bounded:
-        """Return the residue between 0 and n − 1, or one next to 0, of size at most n/2."""
+        """Return the residue between 0 and n − 1, or if ``centred`` one of absolute value at most n/2."""
         most = self.modulus // 2 + self.modulus // 512 + 1
         low, high = (-most, most) if centred else (0, self.modulus - 1)
         if low <= x.low and x.high <= high:
@@ -137,7 +139,7 @@ class ResidueArithmetic(Arithmetic[Bounded]):
         return Bounded(rest, 0, self.modulus - 1)
 
     def divided(self, code: Code, x: Bounded) -> tuple[str, str]:
-        """Return quotient and remainder of a floating word by n."""
+        """Return quotient and remainder of a floating word divided by n."""
         v, word, n = code.value, self.word, self.modulus
         near = v(f"fmul contract {word} {x.name}, {floating(1 / n, word)}")
         near = v(f"fadd contract {word} {near}, {floating(0.5 / n, word)}")
@@ -146,7 +148,7 @@ class ResidueArithmetic(Arithmetic[Bounded]):
         return quotient, v(f"fsub contract {word} {x.name}, {whole}")
 
     def _reduced_integer(self, code: Code, x: Bounded, centred: bool) -> Bounded:
-        """Subtract n times the quotient that floating division gives, which is at most 1 off."""
+        """Subtract n times the quotient from floating division, which is off by at most 1."""
         v, n = code.value, self.modulus
         near = v(f"sitofp i64 {x.name} to double")
         near = v(f"fmul double {near}, {floating(1 / n, 'double')}")
@@ -158,7 +160,7 @@ class ResidueArithmetic(Arithmetic[Bounded]):
         if centred:
             most = (
                 n // 2 + n // 512 + 1
-            )  # where the quotient lies near a half it may be rounded either way
+            )  # if the quotient is near a half, it may be rounded either way
             return Bounded(rest, -most, most)
         for below, limit, sign in (("slt", 0, "add"), ("sge", n, "sub")):
             off = v(f"icmp {below} i64 {rest}, {limit}")

@@ -1,1 +1,1 @@
-"""Write statements as theorems of Coq, which Coq checks independently (docs/explanation/coq.md)."""
+"""Write statements as Coq theorems, which Coq checks independently (docs/explanation/coq.md)."""

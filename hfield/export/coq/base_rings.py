@@ -9,7 +9,7 @@ from hfield.export.coq.terms import NotCoveredError
 from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 
-MAX_PRIME = 300  # of a field in which Coq computes; larger ones are any field of the characteristic
+MAX_PRIME = 300  # of fields in which Coq computes; above it, any field of the characteristic
 MAX_MODULUS = 5_000  # of a ring whose elements are listed
 MAX_RESIDUE_BITS = 400
 
@@ -26,7 +26,7 @@ class BaseRing:
 
     @property
     def is_one_ring(self) -> bool:
-        """Whether this is a single ring, in which Coq computes."""
+        """Whether this is a single ring; in a single ring Coq can compute."""
         return not self.opening
 
 
@@ -48,7 +48,7 @@ def residues(n: int, is_field: bool) -> BaseRing:
 
 
 def base_ring_of(field: Ring) -> BaseRing:
-    """Return one ring as Coq has it. Raises :class:`NotCoveredError`."""
+    """Return a single ring in Coq's notation. Raises :class:`NotCoveredError`."""
     if field == ring("QQ"):
         return RATIONALS
     if field == ring("ZZ"):
@@ -60,7 +60,7 @@ def base_ring_of(field: Ring) -> BaseRing:
 
 
 def value_in(base_ring: BaseRing, text: str) -> str:
-    """Return an element of a ring, from its text in a certificate."""
+    """Return an element of a ring from its text in a certificate, in Coq's notation."""
     if not re.fullmatch(r"-?[0-9]{1,1000}(/[1-9][0-9]{0,999})?", text):
         raise NotCoveredError(f"the value {shorten(text)!r}")
     value = Fraction(text)

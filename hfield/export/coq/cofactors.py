@@ -1,7 +1,8 @@
 """Read and write the polynomials of evidence in Coq's notation.
 
-To find what evidence speaks of, terms are computed as Coq computes them: a numerator over a product of
-divisors, of which nothing is ever cancelled. Nothing here is trusted: Coq computes all of it again.
+To find the polynomials to which the evidence refers, terms are computed in the same way as in Coq: a
+numerator over a product of divisors, without any cancellation. Nothing here is trusted, because Coq
+recomputes all of it.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ class MismatchError(HFieldError, ValueError):
 
 
 def written(polynomial: flint.fmpz_mpoly) -> str:
-    """Write a polynomial of flint for Coq, where its variables are numbered from 1."""
+    """Write a polynomial of flint in Coq's notation, with variables numbered from 1."""
     out = ""
     for exponents, coefficient in polynomial.terms():
         c = int(coefficient)
@@ -85,7 +86,7 @@ class Numerators:
         return Numerator(self, self.gens[name], ())
 
     def product(self, exponents: Sequence[int]) -> flint.fmpz_mpoly:
-        """Return a product of powers of what was divided by."""
+        """Return a product of powers of the divisors."""
         out = self.context.constant(1)
         for factor, n in zip(self.factors, exponents, strict=False):
             for _ in range(n):
@@ -105,7 +106,7 @@ class Numerators:
 
 @dataclass(frozen=True)
 class Numerator:
-    """A polynomial over the product of the divisors to the powers ``below``."""
+    """A polynomial divided by powers (``below``) of the divisors."""
 
     ring: Numerators
     top: flint.fmpz_mpoly

@@ -1,8 +1,8 @@
 """Coq proofs of compound statements, such as ``every{…}``, and about associative algebras.
 
-The cofactors of a presentation are sums of word·relation·word, which Coq multiplies out (words.v). Where
-the identity is not assumed, the table that refutes a claim becomes a counterexample over every
-commutative ring (docs/reference/certificates.md).
+The cofactors of a presentation are sums of word·relation·word, which Coq multiplies out (words.v). If no
+identity element is assumed, the table that refutes a claim becomes a counterexample over every commutative
+ring (docs/reference/certificates.md).
 """
 
 import re
@@ -29,7 +29,7 @@ MAX_DEPTH = 6
 
 
 def read(text: str) -> VocabularyStatement | None:
-    """Read a statement of the vocabulary as the checker does; None for one of the language."""
+    """Read a compound statement as the checker does; None for a statement of the language."""
     try:
         return read_proposition(text)
     except Rejected as error:
@@ -58,7 +58,7 @@ def judge(
 
 
 def _over(evidence: EvidenceData) -> EvidenceData:
-    """Return evidence from one field as evidence against all fields, whose field it names."""
+    """Return evidence against a statement over one field as evidence against it over all fields."""
     inner = evidence["evidence"]
     if inner.get("ring", evidence["ring"]) != evidence["ring"]:
         raise MismatchError("the fields of the evidence do not agree")
@@ -66,7 +66,7 @@ def _over(evidence: EvidenceData) -> EvidenceData:
 
 
 def claimed(text: str, setting: Setting) -> str:
-    """Return what a statement says as a proposition, whether it is true or not."""
+    """Return the proposition that a statement claims, whether it is true or false."""
     whole = read(text)
     if whole is None:
         if is_presentation(text):
@@ -92,7 +92,7 @@ def claimed(text: str, setting: Setting) -> str:
 
 
 def _named(name: str) -> Ring:
-    """Return the ring of a canonical name."""
+    """Return the ring with a canonical name."""
     found = ring(name.strip())
     if found.name != name.strip():
         raise MismatchError(f"{name} is not the name of {found.name}")
@@ -100,7 +100,7 @@ def _named(name: str) -> Ring:
 
 
 def _core_alone(angles: VocabularyStatement, setting: Setting) -> bool:
-    """Return whether ``angles{P; Q}`` reduces to P, since Q is about RR."""
+    """Return whether ``angles{P; Q}`` reduces to P, because Q is a statement about RR."""
     if setting.field is None:
         return len(angles.parts) == 1
     return setting.field.name != "RR"
@@ -123,7 +123,7 @@ class _CompoundStatement:
         if verdict == "vacuous" and read(text) is None:
             return Judgement(name, text, self.setting).true_vacuously(evidence), name
         own = judge(name, text, self.setting, verdict, evidence, self.depth + 1)
-        if verdict == "vacuous":  # of implies{P; Q} it says that P is false
+        if verdict == "vacuous":  # for implies{P; Q} this means that P is false
             never = f"{name}_never"
             lines = (f"intro P; elim ({never} P).",)
             return Proved(claimed(text, self.setting), lines, (own.lemma(never),)), name
@@ -224,7 +224,7 @@ MAX_POWER = 200
 
 
 def is_presentation(text: str) -> bool:
-    """Return whether a statement is one about all associative algebras."""
+    """Return whether a statement is about all associative algebras."""
     return re.match(r"\s*associative\s*\(", text) is not None
 
 
@@ -254,12 +254,12 @@ class PresentationStatement:
         return f"{opening}forall {' '.join(self.letters)} : R,\n  {said}"
 
     def data(self, equations: Sequence[Compare]) -> str:
-        """Equations as data."""
+        """Return equations as data."""
         pairs = (f"({self._data(e.left)}, {self._data(e.right)})" for e in equations)
         return "[" + ";\n   ".join(pairs) + "]"
 
     def word(self, letters: str) -> str:
-        """A word as data."""
+        """Return a word as data."""
         if not set(letters) <= set(self.letters):
             raise MismatchError(f"{letters!r} is not a word in {', '.join(self.letters)}")
         return "[" + "; ".join(f"{'eijk'.index(x)}" for x in letters) + "]%nat"
@@ -318,7 +318,7 @@ def presentation(text: str, setting: Setting, verdict: str, evidence: EvidenceDa
     """Prove the verdict on a presentation.
 
     Over a field of characteristic p an algebra is a ring in which p = 0. Over ℤ and ℚ the theorem is about
-    all rings. Raises :class:`NotCoveredError` for proofs that divide.
+    all rings. Raises :class:`NotCoveredError` for proofs that use division.
     """
     p = 0 if setting.field is None else base_ring_of(setting.field).characteristic
     said = PresentationStatement(text, p)
@@ -374,7 +374,9 @@ def _consequence(said: PresentationStatement, evidence: EvidenceData) -> Proved:
 def _counterexample(
     relations: Sequence[Node], goals: Sequence[Compare], evidence: EvidenceData
 ) -> Proved:
-    """Write a refuting table as a theorem: associative, bilinear, all relations, but not the goal."""
+    """Write a refuting table as a theorem: it is associative, bilinear, and satisfies all relations, but not
+    the goal.
+    """
     at = next(n for n, c in enumerate(evidence["value"]) if c)
     value = int(evidence["value"][at])
     if evidence["characteristic"]:
@@ -402,7 +404,7 @@ def _counterexample(
 
 
 def _coordinate(table: Mapping[str, Sequence[int]], n: int) -> str:
-    """Write a coordinate of the product p·q: the sum over the table's entries."""
+    """Write a coordinate of the product p·q as a sum over the table's entries."""
     out = "0"
     for place, vector in table.items():
         p, q = (f"{PLACES['eijk'.index(x)]} {of}" for x, of in zip(place, "pq", strict=True))
@@ -419,7 +421,7 @@ def _equation(node: Node) -> str:
 
 
 def _product(node: Node) -> str:
-    """Write a term of e, i, j, k in the algebra of the table."""
+    """Write a term in e, i, j, k in the algebra of the table."""
     match node:
         case Name(name):
             return name

@@ -29,12 +29,12 @@ class CertificateItem:
 
     @property
     def is_direct(self) -> bool:
-        """Whether the item is valid over rings that are not fields too."""
+        """Whether the item is also valid over rings that are not fields."""
         return self.member is not None
 
     @property
     def characteristic(self) -> int:
-        """The characteristic in which it holds, 0 for all."""
+        """The characteristic in which the item holds, 0 for all characteristics."""
         return int(self.raw["characteristic"])
 
 
@@ -56,7 +56,7 @@ def differences(equation: Equation) -> list[flint.fmpz_mpoly]:
 
 
 def proportional(f: flint.fmpz_mpoly, g: flint.fmpz_mpoly) -> bool:
-    """Return whether two polynomials are multiples of each other by numbers."""
+    """Return whether two polynomials are proportional, with a number as factor."""
     if f == 0 or g == 0:
         return bool(f == g)
     return bool(g.leading_coefficient() * f == f.leading_coefficient() * g)
@@ -68,7 +68,7 @@ def are_products(
     common: flint.fmpz_mpoly,
     factors: Sequence[flint.fmpz_mpoly],
 ) -> bool:
-    """Return whether f and z are their common part times denominators."""
+    """Return whether f and z are ``common`` times products of denominators."""
     parts = [proportional(h, common) or bool(quotient(h, common, factors)) for h in (f, z)]
     return all(parts)
 
@@ -76,7 +76,7 @@ def are_products(
 def quotient(
     f: flint.fmpz_mpoly, z: flint.fmpz_mpoly, factors: Sequence[flint.fmpz_mpoly]
 ) -> list[flint.fmpz_mpoly]:
-    """Return factors with product f/z, up to a number; empty if there are none."""
+    """Return factors with product f/z, up to a constant; empty if there are none."""
     if f == 0 or z == 0:
         return []
     content = z.content()
@@ -96,7 +96,9 @@ def quotient(
 
 
 def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] | None:
-    """Return cofactors of x^p - x, variable by variable, that make f, if f is 0 on all of GF(p)."""
+    """Return polynomials, one for each variable x, by which x^p - x is multiplied to sum to f, if f is 0 on
+    GF(p).
+    """
     context = f.context()
     width = context.nvars()
     current = {m: int(c) % p for m, c in f.to_dict().items() if int(c) % p}
@@ -123,13 +125,13 @@ def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] 
 
 
 class Directly:
-    """A derivation of a formula as Coq makes it over commutative rings, to predict whether Coq succeeds."""
+    """A derivation of a formula over commutative rings as Coq makes it; it predicts whether Coq succeeds."""
 
     def __init__(self, items: Sequence[CertificateItem]) -> None:
         self.items = [i for i in items if i.is_direct]
 
     def derives(self, zeros: Sequence[flint.fmpz_mpoly], formula: Formula) -> bool:
-        """Return whether the formula follows where these polynomials are 0."""
+        """Return whether the formula follows if these polynomials are 0."""
         match formula:
             case Equation():
                 return all(self._zero(zeros, f) for f in differences(formula))
@@ -171,7 +173,7 @@ class Directly:
 
 
 def is_positive(formula: Formula) -> bool:
-    """Return whether Coq can derive a formula where it does not decide whether two elements are equal."""
+    """Return whether Coq can derive a formula without deciding whether two elements are equal."""
     match formula:
         case Equation():
             return True
@@ -262,7 +264,7 @@ class Items:
     def hints(
         self, formulas: Iterable[Formula], items: Sequence[CertificateItem], p: int
     ) -> ItemsInCoq:
-        """Return the items for Coq, with hints where Coq needs them."""
+        """Return the items for Coq, with hints that Coq needs."""
         numerators = self.terms.numerators
         found = {str(f): f for f in tops(formulas)}.values()
         stripped = {}
@@ -291,12 +293,14 @@ class Items:
 
 
 def _texts(names: Numerators, texts: Sequence[str]) -> str:
-    """Return polynomials as a list of Coq."""
+    """Return polynomials as a Coq list."""
     return "[" + "; ".join(map(names.coq, texts)) + "]"
 
 
 def _steps(names: Numerators, steps: Sequence[StepData], known: int) -> str:
-    """Return the steps of a proof by contradiction in Coq, from this number of vanishing polynomials."""
+    """Return the steps of a proof by contradiction in Coq; ``known`` polynomials vanish before the first
+    step.
+    """
     if not steps:
         raise MismatchError("a list of steps is empty")
     step, rest = steps[0], steps[1:]
@@ -333,7 +337,7 @@ def _steps(names: Numerators, steps: Sequence[StepData], known: int) -> str:
 
 
 def facts_used(items: Iterable[ItemData]) -> set[str]:
-    """Return which rules of the field the steps of some items use."""
+    """Return the field axioms that the steps of some items use."""
     found: set[str] = set()
     left = [step for item in items for step in item.get("steps", ())]
     while left:

@@ -1,4 +1,4 @@
-"""Run ``coqc`` within bounds, one theorem at a time."""
+"""Run ``coqc`` with time and memory limits, one theorem at a time."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from hfield.export.coq.theorem import Theorem
 
 CLOSED = "Closed under the global context"
 LIBRARY = "HFieldJudge"
-MAX_OUTPUT = 1 << 24  # bytes that are read of what it prints
+MAX_OUTPUT = 1 << 24  # limit for the bytes of its output that are read
 MAX_MESSAGE = 600
 # The one error that is about the evidence: Coq computed a judgement, and it is not `true`.
 _NOT_TRUE = re.compile(
@@ -40,7 +40,7 @@ class NotJudgedError(HFieldError, RuntimeError):
 
 
 class CoqMissingError(NotJudgedError, OSError):
-    """There is no ``coqc``."""
+    """There is no ``coqc`` program."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Judged:
 
 
 class Coqc:
-    """``coqc`` in a folder of its own, as a context: the library is compiled when it is first needed.
+    """Runs ``coqc`` in its own folder, as a context manager; the library is compiled on first use.
 
     Each run may take ``seconds``, and ``memory`` MiB.
     """
@@ -96,9 +96,7 @@ class Coqc:
 
     @property
     def environment(self) -> dict[str, str]:
-        """This process's environment without Coq's search paths, so that only Coq's own libraries are
-        found.
-        """
+        """This process's environment without Coq's search paths, so that Coq finds only its own libraries."""
         nowhere = str(self.folder / "none")
         return {**os.environ, "COQPATH": "", "XDG_DATA_HOME": nowhere, "XDG_DATA_DIRS": nowhere}
 
@@ -112,17 +110,18 @@ class Coqc:
         self._has_library = True
 
     def judge(self, theorems: Sequence[Theorem]) -> Judged:
-        """Compile theorems, and let Coq print them and the axioms that they use.
+        """Compile theorems, and let Coq print them with the axioms that they use.
 
-        Raises :class:`NotJudgedError` where Coq neither does so nor finds that evidence shows nothing.
+        Raises :class:`NotJudgedError` if Coq neither accepts the theorems nor finds that the evidence proves
+        nothing.
         """
         bare = tuple(replace(t, comment="") for t in theorems)  # no text of a certificate
-        if any(t.place for t in bare):  # they stand in sections, which are not compiled ahead
+        if any(t.place for t in bare):  # they are in sections, which are not compiled in advance
             head = Export(bare).body
         else:
             self.compile_library()
             head = "\n\n".join([opening(), *map(str, bare)])
-        mark = token_hex(16)  # nothing that Coq prints of a theorem can be this
+        mark = token_hex(16)  # Coq's output for a theorem cannot contain this text
         status, said, errors = self._run("Judged", f"{head}\n{_asking(bare, mark)}")
         if status == 1 and _NOT_TRUE.search(" ".join(errors.split())):
             return Judged(rejected=_short(errors))
@@ -140,9 +139,9 @@ class Coqc:
         return Judged(tuple(" ".join(text[m.end() :].split()) for text, m in pairs if m))
 
     def _run(self, name: str, text: str) -> tuple[int, str, str]:
-        """Run ``coqc`` on a text; return its exit status and what it printed, also as errors.
+        """Run ``coqc`` on a text; return its exit status and its output, including errors.
 
-        Raises :class:`NotJudgedError` where it cannot be run, or not to its end.
+        Raises :class:`NotJudgedError` if it cannot be started or does not finish.
         """
         bounds = [os.getpid(), int(self.seconds) + 1, self.memory]
         command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("coqc_process.py"))]
@@ -161,7 +160,7 @@ class Coqc:
                 )
                 try:
                     status = process.wait(self.seconds)
-                finally:  # also what it has started, also where this process is to end
+                finally:  # also ends processes that it started, even if this process is to end
                     with suppress(ProcessLookupError):
                         os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
@@ -187,9 +186,9 @@ def opening() -> str:
 
 
 def _asking(theorems: Sequence[Theorem], mark: str) -> str:
-    """Return the commands that print each theorem, ``mark`` on a line behind it, and then the axioms.
+    """Return the commands that print each theorem, followed by ``mark`` on a line, and its axioms.
 
-    Where nothing else in a proposition tells the ring, Coq is to write it behind each equation.
+    If the ring is not visible elsewhere in a proposition, Coq is set to print it after each equation.
     """
     lines = ["Set Printing Depth 1000000."]
     lines += [_TYPED] if any(" :> " in t.text for t in theorems) else []
@@ -206,7 +205,7 @@ def _read(stream: IO[bytes]) -> str:
 
 
 def _ending(status: int, errors: str) -> str:
-    """Say how ``coqc`` ended that did not end well."""
+    """Describe how an unsuccessful run of ``coqc`` ended."""
     how = f"with status {status}"
     if status < 0:
         how = f"by signal {-status} ({signal.strsignal(-status)})"

@@ -10,7 +10,7 @@ MAX_WRITTEN = 1 << 28  # bytes of a file
 
 
 def main(parent: str, seconds: str, memory: str, *command: str) -> None:
-    """Run a command within seconds of computing and MiB of memory, as long as ``parent`` is alive."""
+    """Run a command with limits of CPU seconds and MiB of memory, as long as ``parent`` is alive."""
     bounds = {
         resource.RLIMIT_CPU: int(seconds),
         resource.RLIMIT_AS: int(memory) << 20,

@@ -1,4 +1,4 @@
-"""Coq proofs of existence statements: by terms, in cases, or by values."""
+"""Coq proofs of existence statements: by terms, by cases, or by values."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def _base_ring(j: Judgement, proved: Proved) -> BaseRing:
 
 
 def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
-    """Return the terms for what exists, scalars as quaternions where these are sought."""
+    """Return the terms for the witnesses; scalars become quaternions if quaternions are sought."""
     if set(terms) != set(j.statement.exists):
         raise MismatchError("the terms are not those of what exists")
     trees = {name: parse(text) for name, text in terms.items()}
@@ -75,7 +75,7 @@ def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
 
 
 def _there(j: Judgement, sentence: Sentence, trees: Mapping[str, Node]) -> list[str]:
-    """Return the tactics that name the witnesses of an existence."""
+    """Return the tactics that give the witnesses of an existence statement."""
     terms = Terms(sentence.given, [], j.setting.constants)
     named = [terms.term(trees[n]).inner for n, _ in sentence.terms.ordered if n in trees]
     return [*(f"exists {text}." for text in named), "first [exact known | tauto]."]
@@ -94,7 +94,7 @@ def _instance(
 
 
 def by_cases(j: Judgement, evidence: EvidenceData) -> Proved:
-    """Prove existence by terms in each of some cases, one of which always applies."""
+    """Prove existence by terms in each of several cases, one of which always applies."""
     cases = evidence["cases"]
     conditions = [parse(case["when"]) for case in cases]
     one_of = conditions[-1]
@@ -127,7 +127,7 @@ def by_cases(j: Judgement, evidence: EvidenceData) -> Proved:
 
 
 def none_exists(j: Judgement, evidence: EvidenceData) -> Proved:
-    """Refute existence: for some values of the given unknowns there is none."""
+    """Refute existence: for some values of the given unknowns there is no witness."""
     field, statement = j.setting.field, j.statement
     if field is None:
         field = ring_of_data(evidence["ring"])
@@ -226,7 +226,7 @@ def _values(
 
 
 def counterexample(j: Judgement, evidence: EvidenceData) -> Proved:
-    """Refute a statement by values in its ring, or a statement on all fields by values in one."""
+    """Refute a statement by values in its ring, or a statement over all fields by values in one field."""
     field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
         raise MismatchError("the witness is from another field")
@@ -251,7 +251,7 @@ def counterexample(j: Judgement, evidence: EvidenceData) -> Proved:
 
 
 def in_one_field(base_ring: BaseRing) -> tuple[list[str], str]:
-    """Return the first tactics of a refutation over all fields, and the arguments for this field."""
+    """Return the first tactics of a refutation over all fields, and the arguments that select this field."""
     p = base_ring.characteristic
     if not p:
         return ["intro F."], "F Qc _ _ rational_field"

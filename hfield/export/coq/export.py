@@ -1,7 +1,7 @@
 """Write the Coq file: definitions, lemmas proved by hand, and a theorem for each certificate.
 
-Nothing here needs Coq. What the file claims is worth something only once ``coqc`` has read it, and
-``Print Assumptions`` at its end shows what each theorem rests on.
+This module does not need Coq. The file proves something only when ``coqc`` has accepted it; ``Print
+Assumptions`` at its end shows what each theorem depends on.
 """
 
 import re
@@ -16,7 +16,7 @@ from hfield.export.coq.theorem import Theorem, comment_text, theorem
 from hfield.prover.decision import PROVED, VACUOUS
 from hfield.prover.prove import Answer, prove
 
-# What every file begins with; theorems of the first kind stand in the section that rings.v opens.
+# The beginning of every file; theorems of the first kind are in the section that rings.v opens.
 BY_HAND = ("rings.v", "fields.v", "multilinear.v")
 ENDS = {
     "rings.v": "End Commutative_rings.",
@@ -43,7 +43,7 @@ proof that the computations with evidence are right."""
 
 @dataclass(frozen=True)
 class Left:
-    """A theorem left out of the file, and the reason."""
+    """A theorem that is not in the file, and the reason."""
 
     name: str
     text: str
@@ -52,10 +52,9 @@ class Left:
 
 @dataclass(frozen=True)
 class Export:
-    """The theorems found, and what was left out; ``text`` is the file.
+    """The theorems, and those left out; ``text`` is the file.
 
-    ``by_hand`` maps claims that are no statement of the language to theorems that stand in every
-    file.
+    ``by_hand`` maps claims that are not statements of the language to theorems that every file contains.
     """
 
     theorems: tuple[Theorem, ...]
@@ -84,7 +83,7 @@ class Export:
 
     @property
     def text(self) -> str:
-        """The file: its last command prints what all theorems together assume."""
+        """The file; its last command prints the assumptions of all theorems."""
         used = "".join(f"  let _ := @{name} in\n" for name in self.names)
         everything = (
             f"Definition all_theorems : True :=\n{used}  I.\nPrint Assumptions all_theorems.\n"
@@ -114,7 +113,7 @@ def library(theorems: Iterable[Theorem] = ()) -> str:
 def export_statements(statements: Sequence[str], algebra: str | None = None) -> Export:
     """Prove statements for all fields and export those that are proved.
 
-    Raises :class:`NotationError` for what cannot be read.
+    Raises :class:`NotationError` for unreadable statements.
     """
     return export_session(prove(text, algebra=algebra) for text in statements)
 
@@ -133,7 +132,7 @@ def export_session(answers: Iterable[Answer]) -> Export:
 
 
 def export_certificates(certificates: Mapping[str, object]) -> Export:
-    """Export certificates, by names for their theorems."""
+    """Export certificates, given by theorem name."""
     theorems: list[Theorem] = []
     left: list[Left] = []
     for name, data in certificates.items():
@@ -155,7 +154,7 @@ def theorem_of(name: str, answer: Answer) -> Theorem:
 
 
 def _piece(file: str) -> str:
-    """Return a file of this folder that stands in every export."""
+    """Return a file of this folder that is part of every export."""
     return (files("hfield.export.coq") / file).read_text(encoding="utf-8").lstrip("\n")
 
 

@@ -1,4 +1,4 @@
-"""Write statements without quantifiers as propositions of Coq."""
+"""Write quantifier-free statements as Coq propositions."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ DATA = {"and": "And", "or": "Or", "=>": "Imp", "<=>": "Iff"}
 
 @dataclass(frozen=True)
 class Equation:
-    """``left = right``, between scalars or between quaternions, whose coordinates are of a ``type``."""
+    """An equation ``left = right`` of scalars or quaternions; their coordinates have the given ``type``."""
 
     left: Term
     right: Term
@@ -100,7 +100,7 @@ Formula = Equation | Invertible | NegatedFormula | Junction
 
 
 def grouped(formula: Formula) -> str:
-    """Return the text of a formula as it stands inside another."""
+    """Return the text of a formula as part of another formula."""
     if isinstance(formula, Junction) or (
         isinstance(formula, NegatedFormula) and not isinstance(formula.formula, Equation)
     ):
@@ -110,20 +110,20 @@ def grouped(formula: Formula) -> str:
 
 @dataclass(frozen=True)
 class Formulas:
-    """Translates statements over one ring: in a field a divisor must not be 0, elsewhere be a unit."""
+    """Translates statements over one ring; divisors must be nonzero in a field, and units in other rings."""
 
     terms: Terms
     type: str
     is_field: bool
 
     def defined(self, d: Term) -> Formula:
-        """Say that something has an inverse."""
+        """Return the formula that d has an inverse."""
         if not self.is_field:
             return Invertible(d, self.type)
         return NegatedFormula(Equation(d, self.terms.number(0), self.type))
 
     def of(self, node: Node) -> Formula:
-        """Translate a statement; a comparison says too that what it divides by has an inverse."""
+        """Translate a statement; a comparison also states that all divisors in it have inverses."""
         match node:
             case Compare(op, x, y):
                 left, right = self.terms.term(x), self.terms.term(y)

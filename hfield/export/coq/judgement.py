@@ -1,8 +1,8 @@
-"""Turn a certificate about a statement of the language into a theorem of Coq.
+"""Turn a certificate of a statement of the language into a Coq theorem.
 
-The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
-for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
-statement, Coq rejects the proof.
+The theorem is determined by the statement, the algebra and the field alone. The evidence becomes data for
+computations that Coq has proved correct (evidence.v, soundness.v). If it does not prove the statement, Coq
+rejects the proof.
 """
 
 from __future__ import annotations
@@ -52,7 +52,9 @@ class Judgement:
         self.statement = self.read(text, setting)
 
     def read(self, text: str, setting: Setting) -> Statement:
-        """Parse a statement in which names mean constants of the field and letters of the algebra."""
+        """Parse a statement, with names for constants of the field and letters for unknowns of the
+        algebra.
+        """
         return read_statement(text, setting.field, (), setting.letters, setting.constants)
 
     def for_formula(self, node: Node, setting: Setting | None = None) -> Judgement:
@@ -89,7 +91,9 @@ class Judgement:
 
     @property
     def _is_of_fractions(self) -> bool:
-        """Whether fractions over a finite field may be equal as functions only; Coq tries all cases then."""
+        """Whether equality of fractions over a finite field may hold only as functions; then Coq tries all
+        cases.
+        """
         field, statement = self.setting.field, self.statement
         if field is None or field.order is None or not (statement.divides or self.setting.divides):
             return False
@@ -146,11 +150,11 @@ class Judgement:
 
     @property
     def given(self) -> list[str]:
-        """The names of the unknowns that are universally quantified."""
+        """The universally quantified unknowns."""
         return [n for n, _ in self.statement.given]
 
     def one_ring(self) -> tuple[BaseRing, Sentence]:
-        """Return the ring of the certificate, and the statement there."""
+        """Return the ring of the certificate, and the statement over it."""
         if self.setting.field is None:
             raise NotCoveredError("something computed over all fields at once")
         base_ring = base_ring_of(self.setting.field)
@@ -265,7 +269,7 @@ def _everywhere(j: Judgement, items: Sequence[ItemData]) -> Proved:
 
 
 def exhausted(j: Judgement) -> Proved:
-    """Prove a statement over a finite ring by all cases."""
+    """Prove a statement over a finite ring by checking all cases."""
     base_ring, sentence = j.one_ring()
     n = base_ring.characteristic
     width = sum(4 if s is Sort.QUATERNION else 1 for _, s in j.statement.unknowns)
@@ -301,7 +305,7 @@ def multilinear(j: Judgement, evidence: EvidenceData) -> Proved:
 
 
 def _divisors(setting: Setting) -> tuple[int, ...]:
-    """Return the numbers that the structure constants divide by."""
+    """Return the numbers by which the structure constants are divided."""
     found: set[int] = set()
 
     def visit(node: Node) -> None:

@@ -1,4 +1,4 @@
-"""The universal theorems of the ledger: the propositions that hold over all fields."""
+"""The universal theorems of the ledger: propositions that hold over all fields."""
 
 from collections.abc import Callable, Iterator, Sequence
 
@@ -14,7 +14,7 @@ from hfield.ledger.registry import claims
 from hfield.ledger.scopes import InField, OnlyOver
 from hfield.prover.decision import PROVED, REFUTED
 
-# Claims that are no statements of the language, and the theorems of the file that say the same.
+# Claims that are not statements of the language, with the theorems of the file that state the same.
 BY_HAND = {
     "C1.1.2-c": "centre, centre_in_char_2",
     "C1.1.3-a": "multilinear_maps_agree",
@@ -29,7 +29,7 @@ BY_HAND = {
 def export_ledger(
     chosen: Sequence[Claim] = (), progress: Callable[[int, int, str], None] | None = None
 ) -> Export:
-    """Export the chosen claims, by default all, that are proved for all fields.
+    """Export the chosen claims (by default all) that are proved for all fields.
 
     ``progress`` is called with the number of finished claims, their total, and the current claim.
     """
@@ -59,7 +59,7 @@ def export_ledger(
 
 
 def theorem_name(claim: Claim, kind: str, number: int) -> str:
-    """Return a name for Coq, such as ``C1_3_1_y_corrected_2``."""
+    """Return a Coq name for a claim, such as ``C1_3_1_y_corrected_2``."""
     base = claim.id.replace(".", "_").replace("-", "_")
     return "_".join(part for part in (base, kind, str(number or "")) if part)
 
@@ -92,7 +92,7 @@ def _parts(proposition: Proposition | None) -> Iterator[Proposition]:
 
 
 def _is_candidate(part: Proposition) -> bool:
-    """Return whether a proposition is decided for all fields in a way that a theorem could state."""
+    """Return whether a proposition is decided for all fields, in a form that a theorem can state."""
     decision = part.decide(None)
     if isinstance(part, Presented):
         return decision.verdict in (PROVED, REFUTED)
@@ -111,4 +111,4 @@ def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
 
 
 class NoStatementError(NotCoveredError):
-    """A proposition cannot be translated, since it is not in the language."""
+    """A proposition cannot be translated because it is not in the language."""

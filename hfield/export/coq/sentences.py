@@ -20,10 +20,10 @@ class Proved:
     text: str
     proof: tuple[str, ...]
     before: tuple[str, ...] = ()
-    place: str = ""  # the section of the file in which it has to stand
+    place: str = ""  # the section of the file that must contain it
 
     def lemma(self, name: str, word: str = "Lemma") -> str:
-        """Return it under a name."""
+        """Return the proof as a named lemma."""
         lines = "\n".join(f"  {line}" for line in self.proof)
         whole = f"{word} {name} :\n  {self.text}.\nProof.\n{lines}\nQed."
         return "\n".join([*self.before, whole])
@@ -91,7 +91,7 @@ class Sentence:
 
     @property
     def arguments(self) -> str:
-        """The same names, as arguments."""
+        """The names of the ring and the unknowns, as arguments."""
         return f"{self.base_ring.names} {' '.join(n for n, _ in self.order)}".strip()
 
 

@@ -1,8 +1,8 @@
 """Write terms of the language in Coq's notation.
 
-The text is what Coq reads: it follows the tree node by node, so that the theorem says what the
-statement says. The data is the same tree again, which Coq turns into that text by itself. The
-numerator is a polynomial that the evidence may speak of; it only helps to find hints.
+Coq reads the text, which follows the tree node by node, so that the theorem states what the statement says.
+The data is the same tree, which Coq turns into that text by itself. The numerator is a polynomial to which
+evidence may refer; it is used only to find hints.
 """
 
 from collections.abc import Iterable, Sequence
@@ -34,9 +34,9 @@ class NotCoveredError(HFieldError, NotImplementedError):
 class Term:
     """A term of Coq, its data and its value: a numerator, or a tuple of four.
 
-    ``conditions`` are the scalars that must have an inverse. ``size`` counts the leaves of a
-    coordinate when all definitions are unfolded, ``level`` tells how loosely the text binds, and
-    ``closed`` whether no unknown occurs.
+    ``conditions`` are the scalars that must have an inverse. ``size`` counts the leaves of a coordinate after
+    unfolding all definitions. ``level`` is the precedence of the text, and ``closed`` is true if no unknown
+    occurs.
     """
 
     text: str
@@ -49,7 +49,7 @@ class Term:
 
     @property
     def is_scalar(self) -> bool:
-        """Whether this is a scalar, and no quaternion."""
+        """Whether this is a scalar rather than a quaternion."""
         return not isinstance(self.value, tuple)
 
     @property
@@ -77,7 +77,7 @@ class Term:
         return f"({self.data})" if " " in self.data else self.data
 
     def within(self, level: int) -> str:
-        """Return the text, in parentheses if it binds more loosely than ``level``."""
+        """Return the text, in parentheses if its operators bind more loosely than ``level``."""
         return self.text if self.level <= level else f"({self.text})"
 
 
@@ -139,7 +139,7 @@ class Terms:
         return _applied("embed", "QEmbed", x, (x.scalar, zero, zero, zero))
 
     def term(self, node: Node) -> Term:
-        """Translate a term. Raises :class:`TooLargeError` for what would be too large to check."""
+        """Translate a term. Raises :class:`TooLargeError` if it would be too large to check."""
         out = self._term(node)
         if out.size > MAX_SIZE:
             raise TooLargeError(f"a term has more than {MAX_SIZE} leaves when it is unfolded")
@@ -196,7 +196,7 @@ class Terms:
         )
 
     def binary(self, op: str, x: Term, y: Term) -> Term:
-        """Return a sum, difference, product or quotient."""
+        """Return the sum, difference, product or quotient of two terms."""
         conditions = _joined(x, y)
         size, closed = x.size + y.size, x.closed and y.closed
         if op == "/":
@@ -230,7 +230,7 @@ class Terms:
         return _infix(x, f"[*{self.algebra}]", y, data, product, size, conditions, closed)
 
     def power(self, x: Term, n: int) -> Term:
-        """Return a power; the zeroth is 1."""
+        """Return a power; the power with exponent 0 is 1."""
         if abs(n) > MAX_EXPONENT:
             raise TooLargeError(f"the exponent {n} is larger than {MAX_EXPONENT}")
         if n < 0:
@@ -296,7 +296,7 @@ def _quadruple(parts: Iterable[Numerator]) -> Quadruple:
 def _applied(
     function: str, data: str, x: Term, value: Numerator | Quadruple, size: int = 0
 ) -> Term:
-    """Return the application of a function to one argument, with the argument's size by default."""
+    """Return the application of a function to one argument; the size defaults to the argument's."""
     text, data, size = f"{function} {x.inner}", f"{data} {x.argument}", size or x.size
     return Term(text, data, value, size, x.conditions, APPLICATION, x.closed)
 
@@ -318,5 +318,5 @@ def _infix(
 
 
 def _joined(x: Term, y: Term, more: tuple[Term, ...] = ()) -> tuple[Term, ...]:
-    """Return the conditions of both, each once, the deepest first."""
+    """Return the union of two lists of conditions, innermost first."""
     return tuple({c.text: c for c in (*x.conditions, *y.conditions, *more)}.values())

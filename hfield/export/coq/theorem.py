@@ -1,4 +1,4 @@
-"""Turn one certificate into one theorem of Coq with its proof."""
+"""Turn one certificate into one Coq theorem with its proof."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -29,7 +29,7 @@ class Theorem:
 
     @property
     def place(self) -> str:
-        """The section of the file that contains the theorem; most theorems are in none."""
+        """The section of the file that contains the theorem, if any."""
         return self.proved.place
 
     @property
@@ -44,8 +44,8 @@ class Theorem:
 def theorem(name: str, data: object, words: str = "") -> Theorem:
     """Translate a certificate.
 
-    Raises NotCoveredError for what has no translation, :class:`MismatchError` for evidence that cannot
-    be about the statement, and :class:`TooLargeError`.
+    Raises :class:`NotCoveredError` if there is no translation, :class:`MismatchError` if the evidence cannot
+    belong to the statement, and :class:`TooLargeError`.
     """
     data = current(data)
     if not _is_certificate(data):
@@ -95,6 +95,8 @@ def _proved(name: str, data: CertificateData) -> Proved:
 
 
 def comment_text(text: str) -> str:
-    """Return a text with the characters replaced that are invisible or would end a comment of Coq."""
+    """Return a text for a Coq comment: invisible characters, and those that would end the comment, are
+    replaced.
+    """
     text = "".join(c if c.isprintable() or c == "\n" else "?" for c in text)
     return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")

@@ -1,4 +1,4 @@
-"""Closed forms: numbers as sympy expressions, with a test for 0 that does not guess."""
+"""Closed forms: numbers given by sympy expressions, with a test for 0 that never guesses."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ LARGEST_EXPONENT = 10**6
 SIMPLIFIED = 200  # expressions of up to so many operations are given to sympy's simplify
 TRANSCENDENTAL_BITS = 1_000  # a transcendental number that small must simplify to 0, or is refused
 RECOGNISED = 500.0  # rational numbers of a height up to this are recognised
-HIDDEN_BITS = 400  # and those of so many bits in forms such as cos(1)^2+sin(1)^2
+HIDDEN_BITS = 400  # and the bits for forms such as cos(1)^2+sin(1)^2
 
 
 class Closed:
-    """An immutable number given by a sympy expression in radicals, cosines, π, exponentials …
+    """An immutable number given by a sympy expression in radicals, cosines, π, exponentials and the like.
 
-    Equality is decided (see :mod:`.heights`) and agrees with that of ``Surd``; equal numbers have equal
-    hashes. The expression is made when it is first needed, sympy loaded with it.
+    Equality is decided (see :mod:`.heights`) and is consistent with that of ``Surd``; equal numbers have
+    equal hashes. The expression is built, and sympy loaded, when it is first needed.
     """
 
     def __init__(self, make: Callable[[], sympy.Expr]) -> None:
@@ -46,7 +46,7 @@ class Closed:
 
     @cached_property
     def bounds(self) -> Bounds | None:
-        """Bounds of degree and height; None if the number is not recognised as algebraic."""
+        """Bounds for the degree and the height; None if the number is not recognised as algebraic."""
         from hfield.fields.algebraic.heights import bounds
 
         return bounds(self.expr)
@@ -98,7 +98,7 @@ class Closed:
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))  # type: ignore[type-var]
 
     def inverse(self) -> Surd | Closed:
-        """Return 1/self; the caller has seen that it is not 0."""
+        """Return 1/self; the caller has checked that it is not 0."""
         return number(1 / self.expr)
 
     # --- equality ------------------------------------------------------------------------------
@@ -117,12 +117,12 @@ class Closed:
 
     @cached_property
     def _hash(self) -> int:
-        # a rational number hashes as Python's and flint's do, in whatever form it comes
+        # a rational number has the hash of Python's and flint's, in every representation
         value = self._fraction(HIDDEN_BITS) if self.bounds is None else self.rational(float("inf"))
         return hash(fingerprint(self.ball) if value is None else value)
 
     def ball(self, bits: int) -> flint.acb:
-        """Return a complex ball of flint around the number, computed with that many bits."""
+        """Return a complex ball of flint around the number, computed with ``bits`` bits."""
         from hfield.fields.algebraic.evaluate import evaluate
 
         expr = self.expr
@@ -130,13 +130,13 @@ class Closed:
             return evaluate(expr)
 
     def is_zero(self) -> bool:
-        """Return whether the number is 0. Raises :class:`UndecidedError` for some transcendental ones."""
+        """Return whether the number is 0. Raises :class:`UndecidedError` for some transcendental numbers."""
         known = self.bounds
         need = None if known is None else known.degree * known.height
         return bool(self.expr == 0) or self._vanishes(need)
 
     def is_real(self) -> bool:
-        """Return whether the number is real. Raises :class:`UndecidedError` as :meth:`is_zero` does."""
+        """Return whether the number is real. Raises :class:`UndecidedError`, as :meth:`is_zero` does."""
         if self.expr.is_real:
             return True
         known = self.bounds
@@ -146,9 +146,11 @@ class Closed:
         return self._vanishes(need, imaginary=True)
 
     def _vanishes(self, need: float | None, imaginary: bool = False) -> bool:
-        """Return whether the number, or its imaginary part, is 0: if not, its size is at least exp(−need)."""
+        """Return whether the number, or its imaginary part, is 0, given that otherwise its absolute value is
+        at least exp(−need).
+        """
         if need is not None and need / log(2) > MAX_BITS:
-            need = None  # too much to prove it 0 this way, but it may be seen not to be
+            need = None  # a proof of 0 would take too long, but it may turn out nonzero
         small = TRANSCENDENTAL_BITS if need is None else ceil(need / log(2)) + 2
         bits = 64
         while bits <= 4 * small + 4096:
@@ -182,14 +184,16 @@ class Closed:
         return 1 if value > 0 else -1
 
     def rational(self, greatest: float = RECOGNISED) -> Fraction | None:
-        """Return the number as a Fraction if it is one, of a height up to ``greatest``, or None."""
+        """Return the number as a Fraction if it is rational and of height at most ``greatest``; else None."""
         known = self.bounds
         if known is None or known.height > greatest:
             return None
         return self._fraction(ceil(known.height / log(2)) + 1)
 
     def _fraction(self, bits: int) -> Fraction | None:
-        """Return the number as a Fraction if it is one of so many bits above and below, or None."""
+        """Return the number as a Fraction if numerator and denominator have at most ``bits`` bits;
+        else None.
+        """
         wide = 2 * bits + 64
         if wide > MAX_BITS:
             return None
@@ -199,13 +203,13 @@ class Closed:
         middle = z.real.mid().fmpq()
         near = Fraction(int(middle.p), int(middle.q)).limit_denominator(2**bits)
         with precision(wide):
-            # the enclosure of a fraction need not lie inside that of the number
+            # the enclosure of the fraction need not be contained in that of the number
             if not z.real.overlaps(flint.arb(flint.fmpq(near.numerator, near.denominator))):
                 return None
         return near if self == near else None
 
     def text(self, style: str = "plain") -> str:
-        """Write the number; ``plain`` reads back."""
+        """Write the number; RR and CC read the style ``plain`` back."""
         from hfield.fields.algebraic.text import closed_text
 
         return closed_text(self.expr, style)
@@ -227,9 +231,9 @@ PI = Closed(_pi)
 
 
 def number(expr: sympy.Expr) -> Surd | Closed:
-    """Return a sympy number in its simplest form: a surd where it is one, else a closed form.
+    """Return a sympy number in its simplest form: a surd if possible, else a closed form.
 
-    Raises :class:`CoercionError` for what is infinite or undefined, :class:`TooLargeError`.
+    Raises :class:`CoercionError` for infinite or undefined values, and :class:`TooLargeError`.
     """
     import sympy
 
@@ -263,7 +267,7 @@ def to_sympy(x: object) -> sympy.Expr:
 def from_sympy(x: object) -> Surd | Closed | None:
     """Return a sympy number that can be tested for 0; None if x has symbols, floats or unknown parts.
 
-    Raises :class:`UndecidedError` for a transcendental number that cannot.
+    Raises :class:`UndecidedError` for a transcendental number that cannot be tested.
     """
     import sympy
 
@@ -281,7 +285,7 @@ def from_sympy(x: object) -> Surd | Closed | None:
 
 
 def root(x: Surd | Closed, n: int) -> Surd | Closed:
-    """Return the principal n-th root, nested square roots resolved where sympy can."""
+    """Return the principal n-th root, with nested square roots simplified if sympy can."""
     import sympy
 
     expr = to_sympy(x)

@@ -1,4 +1,4 @@
-"""Sums and products of conjugate roots of a polynomial over ℚ, both in one field: its factors over ℝ."""
+"""Sums and products of conjugate roots of a polynomial over ℚ, both in one field: the factors over ℝ."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ MAX_PAIRED = 16  # the degree of polynomials for pairs of whose roots a field is
 def factors(
     g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]
 ) -> list[list[Surd | Closed]]:
-    """Return the factors, real ones or linear, of an irreducible polynomial over ℚ of degree 3 or more.
+    """Return the real factors, or the linear ones, of an irreducible polynomial over ℚ of degree 3 or more.
 
-    ``short`` are expressions of some of its roots, or none.
+    ``short`` contains expressions for some of its roots, or none.
     """
     c = coefficients(g)
     spelled = {located([c], z.ball)[0]: z.expr for z in short}
@@ -60,9 +60,10 @@ def factors(
 def trace_and_norm(
     root: Numbered, short: Sequence[sympy.Expr]
 ) -> tuple[Surd | Closed, Surd | Closed]:
-    """Return sum and product of a root above the real axis and its conjugate, in one field if that is small.
+    """Return the sum and the product of a root above the real axis and its conjugate, in one field if the
+    field is small.
 
-    ``short`` are expressions of the two, or none.
+    ``short`` contains expressions for the two roots, or none.
     """
     spelled = [TraceOfPair(*root), NormOfPair(*root)]
     if short:
@@ -98,10 +99,11 @@ def _is_quadratic(value: flint.fmpq_poly, modulus: flint.fmpq_poly) -> bool:
 
 @lru_cache(maxsize=64)
 def _of_pairs(c: tuple[int, ...]) -> tuple[int, flint.fmpq_poly, flint.fmpq_poly, flint.fmpq_poly]:
-    """Return s, S, T and N, where α = y + z + s·(y² + z²) for two roots is a root of S, and of no other two.
+    """Return s, S, T and N: for two roots y, z, α = y + z + s·(y² + z²) is a root of S, and different pairs
+    have different α.
 
-    y + z = T(α)/S′(α), y·z = N(α)/S′(α) (F. Rouillier, AAECC 9 (1999)). Sums over pairs come from
-    E = Σ exp(u·x) over the roots, u = z + s·z², by E(x)² − E(2x).
+    y + z = T(α)/S′(α), y·z = N(α)/S′(α) (F. Rouillier, AAECC 9 (1999)). Sums over pairs are computed from E =
+    Σ exp(u·x) over the roots, with u = z + s·z², as E(x)² − E(2x).
     """
     f, x = monic(c), flint.fmpq_poly([0, 1])
     size = (d := f.degree()) * (d - 1) // 2 + 1
@@ -128,7 +130,7 @@ def _of_pairs(c: tuple[int, ...]) -> tuple[int, flint.fmpq_poly, flint.fmpq_poly
 
 
 def _numerator(f: flint.fmpq_poly, sums: Sequence[flint.fmpq]) -> flint.fmpq_poly:
-    """Return Σ wᵢ·f/(x − zᵢ) over the roots zᵢ of f, by the sums Σ wᵢ·zᵢᵏ."""
+    """Return Σ wᵢ·f/(x − zᵢ) over the roots zᵢ of f, given the sums Σ wᵢ·zᵢᵏ."""
     d = f.degree()
     return flint.fmpq_poly(
         [sum((f[k + 1 + j] * sums[j] for j in range(d - k)), flint.fmpq(0)) for k in range(d)]

@@ -1,4 +1,4 @@
-"""sympy numbers in flint's complex balls, to any precision and with rigorous error bounds."""
+"""Enclose sympy numbers in flint's complex balls, to any precision and with rigorous error bounds."""
 
 import flint
 import sympy
@@ -10,7 +10,9 @@ _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
 
 
 def is_known(expr: sympy.Expr) -> bool:
-    """Return whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
+    """Return whether :func:`evaluate` can enclose the expression: it must not contain symbols, floats or
+    unknown functions.
+    """
     if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
         return True
     if isinstance(expr, RootOf):
@@ -21,7 +23,9 @@ def is_known(expr: sympy.Expr) -> bool:
 
 
 def evaluate(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb] | None = None) -> flint.acb:
-    """Return a ball around a number of known parts, at flint's current precision; each is enclosed once."""
+    """Return a ball around a number whose parts are all known, at flint's current precision; each part is
+    enclosed once.
+    """
     known = {} if known is None else known
     if expr not in known:
         known[expr] = _evaluated(expr, known)
@@ -51,7 +55,7 @@ def _evaluated(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb]) -> flint.ac
 
 
 def _power(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb]) -> flint.acb:
-    """Enclose baseᵉˣᵖ, the principal value."""
+    """Enclose the principal value of baseᵉˣᵖ."""
     base = evaluate(expr.base, known)
     if expr.exp.is_Integer:
         return base ** int(expr.exp)

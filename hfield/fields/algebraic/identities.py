@@ -1,8 +1,9 @@
-"""Closed forms that are 0 by the rules of a field: as quotients of polynomials in their radicals.
+"""Recognise closed forms that are 0 by the field axioms alone: they are quotients of polynomials in their
+radicals.
 
-Each radical ``b^(1/n)``, and each other part, becomes a variable; a number whose numerator is 0 once every
-``(b^(1/n))ⁿ`` is replaced by b is 0, however many digits it would take to see it. What vanishes by another
-relation, such as √(5 + 2√6) = √2 + √3, is not seen here.
+Each radical ``b^(1/n)``, and each other part, becomes a variable. The number is 0 if its numerator is 0 once
+every ``(b^(1/n))ⁿ`` is replaced by b, however many digits a numerical test would need. Numbers that vanish by
+another relation, such as √(5 + 2√6) = √2 + √3, are not recognised here.
 """
 
 from __future__ import annotations
@@ -26,9 +27,7 @@ class _TooLongError(Exception):
 
 
 def vanishes_identically(expr: sympy.Expr) -> bool:
-    """Return whether a sympy number, whose denominators are not 0, is seen to be 0 by the rules of a
-    field.
-    """
+    """Return whether a sympy number, whose denominators are not 0, is recognised as 0 by the field axioms."""
     try:
         return _Variables(expr).vanish()
     except _TooLongError:
@@ -38,7 +37,7 @@ def vanishes_identically(expr: sympy.Expr) -> bool:
 def _powers(node: sympy.Expr) -> dict[sympy.Expr, sympy.Rational]:
     """Return the bases and exponents of a product; {} for other parts.
 
-    A part of another kind is its own base.
+    A part that is not a power is its own base.
     """
     if node is sympy.I:
         return {sympy.S.NegativeOne: sympy.Rational(1, 2)}
@@ -61,9 +60,10 @@ def _powers(node: sympy.Expr) -> dict[sympy.Expr, sympy.Rational]:
 
 
 class _Variables:
-    """Variables for the bases of radicals and for other parts of a sympy number.
+    """Variables for the bases of radicals and for the other parts of a sympy number.
 
-    ``degrees`` has them, those first of which others are made; the variable of b is ``b^(1/degree)``.
+    ``degrees`` maps each base to its degree, with bases before those that contain them; the variable of b
+    stands for ``b^(1/degree)``.
     """
 
     def __init__(self, expr: sympy.Expr) -> None:
@@ -150,7 +150,7 @@ class _Variables:
             raise _TooLongError
 
     def _reduced(self, top: flint.fmpq_mpoly, base: sympy.Expr) -> flint.fmpq_mpoly:
-        """Return a polynomial, times a number that is not 0, with small powers of the radicals of a base."""
+        """Return a nonzero multiple of a polynomial in which the radicals of one base have small powers."""
         n, x = self.degrees[base], self.variables[base]
         self._spend(10 * len(top))
         if base == -1:  # a root of unity

@@ -1,8 +1,9 @@
 """Algebraic numbers as polynomials over ℚ in one root α of an irreducible polynomial.
 
-Those of one ℚ(α) are added, multiplied, divided and compared with 0 modulo the polynomial of α. Each is also
-a root of its own minimal polynomial, with a number among the roots of that: so it is written, and compared
-with those of other fields. Where fields meet otherwise, numbers are the expressions of :mod:`.closed_forms`.
+Numbers of one field ℚ(α) are added, multiplied, divided and compared with 0 modulo the polynomial of α. Each
+is also a root of its own minimal polynomial, given by its number among the roots. That form is used for
+writing it and for comparing it with numbers of other fields. All other operations between fields use the
+expressions of :mod:`.closed_forms`.
 """
 
 from __future__ import annotations
@@ -27,10 +28,10 @@ Numbered = tuple[int, ...]  # (n, c₀, …, c_d), the n-th root of Σ cₖ·x�
 
 
 class NumberInField(Closed):
-    """An immutable number of ℚ(α), not in ℚ: a polynomial ``value`` in α, a ``root`` of degree 3 or more.
+    """An immutable number of ℚ(α), not in ℚ: a polynomial ``value`` in α; ``root`` is α, of degree 3 or more.
 
-    ``spelled`` is an expression that is shorter than the minimal polynomial: of linear combinations of roots,
-    of sums and of products of conjugate ones.
+    ``spelled`` is an expression shorter than the minimal polynomial, for linear combinations of roots and for
+    sums and products of conjugate roots.
     """
 
     def __init__(
@@ -56,7 +57,7 @@ class NumberInField(Closed):
     # --- arithmetic ----------------------------------------------------------------------------
 
     def _operand(self, other: object) -> tuple[flint.fmpq_poly, sympy.Expr | None] | None:
-        """Return value and spelling of another number of the field, or None."""
+        """Return the value and the spelling of another number of the field, or None."""
         if isinstance(other, NumberInField):
             return (other.value, other.spelled) if other.root == self.root else None
         surd = as_surd(other)
@@ -126,7 +127,7 @@ class NumberInField(Closed):
         return is_real_field or self.own[0] < isolated_roots(self.own[1:]).real_count
 
     def ball(self, bits: int) -> flint.acb:
-        """Return a complex ball of flint around the number, good to that many bits."""
+        """Return a complex ball of flint around the number, accurate to ``bits`` bits."""
         return enclosed(self.root, self.value, bits)
 
 
@@ -137,7 +138,7 @@ def _restored(
 
 
 def at(root: Numbered, value: flint.fmpq_poly, spelled: sympy.Expr | None = None) -> Surd | Closed:
-    """Return the value of a polynomial at a root, as a surd where the field is ℚ or quadratic."""
+    """Return the value of a polynomial at a root, as a surd if the field is ℚ or quadratic."""
     if value.degree() < 1:
         return from_rational(value[0])
     if len(root) == 4:
@@ -153,7 +154,7 @@ def _quadratic(root: Numbered) -> Surd:
 
 
 def root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
-    """Return the value of one of ``ROOTS``, the functions of texts."""
+    """Return the value of one of the functions in ``ROOTS``, which texts may call."""
     numbers = (
         x.terms.get(1, flint.fmpq(0)) if isinstance(x, Surd) and x.is_rational() else None
         for x in arguments
@@ -165,7 +166,7 @@ def root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
 
 
 def enclosed(root: Numbered, value: flint.fmpq_poly, bits: int) -> flint.acb:
-    """Return a ball, good to that many bits, around the value, not 0, of a polynomial at a root."""
+    """Return a ball, accurate to ``bits`` bits, around the nonzero value of a polynomial at a root."""
     work = bits + 16
     while True:
         z = isolated_roots(root[1:]).numbered(root[0], work)
@@ -179,7 +180,7 @@ def enclosed(root: Numbered, value: flint.fmpq_poly, bits: int) -> flint.acb:
 
 
 def located(polynomials: Sequence[tuple[int, ...]], ball: Enclosure) -> Numbered:
-    """Return the root of one of the polynomials, coprime ones, that such balls are around."""
+    """Return the root, of one of several coprime polynomials, that ``ball`` encloses."""
     bits = 64
     while True:
         z = ball(bits)
@@ -195,7 +196,7 @@ def located(polynomials: Sequence[tuple[int, ...]], ball: Enclosure) -> Numbered
 
 
 def coefficients(f: flint.fmpq_poly) -> tuple[int, ...]:
-    """Return the coefficients of the primitive multiple over ℤ, the last positive."""
+    """Return the coefficients of the primitive multiple over ℤ; the last is positive."""
     whole = f.numer()
     whole //= whole.content()
     return tuple(map(int, (whole if whole.leading_coefficient() > 0 else -whole).coeffs()))
@@ -209,7 +210,7 @@ def monic(c: tuple[int, ...]) -> flint.fmpq_poly:
 
 @lru_cache(maxsize=64)  # conjugate numbers are one polynomial at several roots
 def inverse_modulo(value: tuple[flint.fmpq, ...], c: tuple[int, ...]) -> flint.fmpq_poly:
-    """Return y with y·value = 1 modulo Σ cₖ·xᵏ: a linear equation, solved by lifting."""
+    """Return y with y·value = 1 modulo Σ cₖ·xᵏ, the solution of a linear system, found by lifting."""
     modulus, column, rows = monic(c), flint.fmpq_poly(list(value)), []
     d = modulus.degree()
     for _ in range(d):
@@ -221,7 +222,7 @@ def inverse_modulo(value: tuple[flint.fmpq, ...], c: tuple[int, ...]) -> flint.f
 
 @lru_cache(maxsize=64)
 def _minimal_polynomial(value: tuple[flint.fmpq, ...], c: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the primitive minimal polynomial over ℤ: of the traces of powers."""
+    """Return the primitive minimal polynomial over ℤ, computed from the traces of powers."""
     modulus, x, power = monic(c), flint.fmpq_poly(list(value)), flint.fmpq_poly([1])
     of_basis, sums = traces(modulus), [flint.fmpq(modulus.degree())]
     for _ in range(modulus.degree()):
@@ -232,7 +233,7 @@ def _minimal_polynomial(value: tuple[flint.fmpq, ...], c: tuple[int, ...]) -> tu
 
 
 def traces(f: flint.fmpq_poly) -> flint.fmpq_poly:
-    """Return the traces of 1, x, … modulo a monic polynomial: sums of powers of its roots (Newton)."""
+    """Return the traces of 1, x, … modulo a monic polynomial: the power sums of its roots (Newton)."""
     d, sums = f.degree(), [flint.fmpq(f.degree())]
     for k in range(1, d):
         sums.append(-sum((f[d - j] * sums[k - j] for j in range(1, k)), k * f[d - k]))
@@ -246,7 +247,7 @@ def trace(f: flint.fmpq_poly, of_basis: flint.fmpq_poly) -> flint.fmpq:
 
 
 def of_power_sums(sums: Sequence[flint.fmpq]) -> flint.fmpq_poly:
-    """Return the monic polynomial with these sums of powers of its roots, as many powers as roots."""
+    """Return the monic polynomial whose roots have these power sums; there are as many sums as roots."""
     down = [flint.fmpq(1)]
     for k in range(1, len(sums)):
         total = sum((sums[j] * down[k - j] for j in range(1, k + 1)), flint.fmpq(0))

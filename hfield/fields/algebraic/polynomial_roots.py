@@ -1,8 +1,9 @@
-"""Roots of irreducible polynomials over ℚ as numbers of sympy, that need no radicals.
+"""Roots of irreducible polynomials over ℚ as sympy numbers, without radicals.
 
-``rootof(n, c0, …, cd)`` is the n-th root of c0 + … + cd·x^d over ℤ, real ones ascending from 0, then pairs of
-conjugate ones, the one above the real axis first. Of such a pair ``rootof_trace`` is the sum and
-``rootof_norm`` the product, with the number of the one above the axis; these are real.
+``rootof(n, c0, …, cd)`` is the n-th root of c0 + … + cd·x^d over ℤ. The real roots come first, in ascending
+order, numbered from 0, followed by the pairs of conjugate roots, in each pair the one above the real axis
+first. ``rootof_trace`` is the sum of such a pair and ``rootof_norm`` its product, both real; they take the
+number of the root above the axis.
 """
 
 from __future__ import annotations
@@ -41,7 +42,9 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
 
     @property
     def height(self) -> float:
-        """A bound of the logarithmic height: the logarithm of the polynomial's 2-norm, over the degree."""
+        """A bound for the logarithmic height: the logarithm of the polynomial's 2-norm, divided by the
+        degree.
+        """
         squares = sum(int(c) ** 2 for c in self.args[1:])
         return log(squares) / 2 / (len(self.args) - 2)
 
@@ -88,7 +91,7 @@ class _OfPair(RootOf):
 
     @property
     def height(self) -> float:
-        """A bound of the logarithmic height of the number."""
+        """A bound for the logarithmic height of the number."""
         return 2 * super().height + log(2)
 
 
@@ -117,7 +120,7 @@ KINDS = {kind.spelled: kind for kind in (Root, TraceOfPair, NormOfPair)}
 
 
 def read(name: str, arguments: Sequence[int | None]) -> sympy.Expr:
-    """Return a number of one of the three classes, from integers. Raises :class:`CoercionError`."""
+    """Return a number of one of the three classes, given by integers. Raises :class:`CoercionError`."""
     whole = [x for x in arguments if x is not None]
     if len(whole) < len(arguments) or not whole:
         raise CoercionError(

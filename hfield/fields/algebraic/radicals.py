@@ -21,7 +21,7 @@ MAX_OPERATIONS = 3_000
 
 
 def times(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
-    """Return x·y of sympy, unless multiplying it out could become too large."""
+    """Return x·y in sympy, unexpanded if the expanded product could be too large."""
     _check_operations(max(int(x.count_ops()), 1) * max(int(y.count_ops()), 1) // 20)
     return x * y
 

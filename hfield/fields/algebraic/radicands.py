@@ -1,8 +1,8 @@
 """Integers under square roots, modulo squares, without factoring them.
 
-√n₁, √n₂, … are linearly independent over ℚ exactly when no product nᵢ·nⱼ, i ≠ j, is a square (Besicovitch,
-1940), and that is seen by greatest common divisors and integer square roots. Factoring makes radicands
-small; what cannot be factored stays under the root as it is.
+√n₁, √n₂, … are linearly independent over ℚ exactly if no product nᵢ·nⱼ, i ≠ j, is a square (Besicovitch,
+1940). This can be tested by greatest common divisors and integer square roots. Factoring makes radicands
+small; a factor that cannot be factored stays under the root as it is.
 """
 
 from collections.abc import Iterable
@@ -20,9 +20,9 @@ DIVISOR_BITS = 30
 
 
 def reduced(n: int) -> tuple[int, int]:
-    """Return (s, f) with n = s²·f, n ≠ 0: f is squarefree, or has a divisor that could not be factored.
+    """Return (s, f) with n = s²·f, n ≠ 0, where f is squarefree or has a divisor that could not be factored.
 
-    A square has f = 1.
+    For a square, f = 1.
     """
     root, sign = _exact_root(abs(n)), 1 if n > 0 else -1
     if root is not None:
@@ -49,7 +49,7 @@ def ratio(m: int, n: int) -> tuple[int, int] | None:
 
 @lru_cache(maxsize=65536)
 def product(m: int, n: int) -> tuple[int, int]:
-    """Return (c, r) with √m·√n = c·√r, roots principal: √−2·√−3 = −√6. If m·n is a square, r is 1."""
+    """Return (c, r) with √m·√n = c·√r, with principal roots: √−2·√−3 = −√6. If m·n is a square, r is 1."""
     c = gcd(m, n)
     m_rest, n_rest = m // c, n // c
     factor = -c if m < 0 and n < 0 else c
@@ -67,16 +67,18 @@ def product(m: int, n: int) -> tuple[int, int]:
 
 @lru_cache(maxsize=4096)
 def independent(radicands: frozenset[int]) -> tuple[int, ...]:
-    """Return pairwise coprime numbers, no squares, such that up to squares each ``|n|`` is a product of some.
+    """Return pairwise coprime non-squares such that, up to squares, each ``|n|`` is a product of some of
+    them.
 
-    Up to squares they are independent, so a field automorphism may change the sign of any one of their roots.
+    They are independent modulo squares, so a field automorphism may change the sign of any one of their
+    roots.
     """
     base = coprime_base(abs(n) for n in radicands)
     return tuple(b for b in base if _exact_root(b) is None)
 
 
 def odd(n: int, b: int) -> bool:
-    """Return whether n is divisible by an odd power of b, one of the :func:`independent` numbers."""
+    """Return whether the exact power of b, one of the :func:`independent` numbers, that divides n is odd."""
     return n % b == 0 and remove(n, b)[0] % 2 == 1
 
 
@@ -89,6 +91,6 @@ def is_long(radicands: Iterable[int]) -> bool:
 
 
 def _exact_root(n: int) -> int | None:
-    """Return the square root of n > 0 where it is an integer."""
+    """Return the square root of n > 0 if it is an integer; else None."""
     root = isqrt(n)
     return root if root * root == n else None

@@ -1,7 +1,7 @@
 """RR and CC: the real and the complex algebraic numbers, exact, and other numbers that can be tested for 0.
 
-Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree, nested roots, cosines,
-π) is a :class:`Closed` form, a sympy expression; sympy is imported when the first one is met.
+Sums of square roots are :class:`Surd` numbers. All others (roots of higher degree, nested roots, cosines, π)
+are :class:`Closed` forms, given by sympy expressions; sympy is imported with the first of them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 _I = Surd({-1: flint.fmpq(1)})
 
-MAX_OPERATIONS = 24  # of a root in radicals; longer ones go by number
+MAX_OPERATIONS = 24  # of a root in radicals; longer roots are numbered
 
 
 class AlgebraicNumbers(ValueRing):
@@ -72,7 +72,7 @@ class AlgebraicNumbers(ValueRing):
         return super().gen if self.is_real else _I
 
     def names(self) -> dict[str, Surd | Closed]:
-        """The number π, and in CC the imaginary unit I."""
+        """The number π and, in CC, the imaginary unit I."""
         from hfield.fields.algebraic.closed_forms import PI
 
         return {"pi": PI} if self.is_real else {"I": _I, "pi": PI}
@@ -90,7 +90,7 @@ class AlgebraicNumbers(ValueRing):
         }
 
     def parse(self, text: str) -> Surd | Closed:
-        """Read a number; within RR the intermediate values may be complex."""
+        """Read a number; in RR too, intermediate values may be complex."""
         names = {"I": _I, **self.names()}
         functions = {"/": self.divide, "**": self.power, **self.functions()}
         reader: syntax.Reader  # the sum of two elements may be of another class
@@ -98,9 +98,9 @@ class AlgebraicNumbers(ValueRing):
         return self(reader.read(from_unicode(text)))
 
     def __call__(self, x: object) -> Surd | Closed:
-        """Turn a rational number, a surd, a closed form or a sympy number into an element; read a text.
+        """Convert a rational number, a surd, a closed form or a sympy number to an element; read a text.
 
-        Raises :class:`CoercionError` for what is not in the field, and :class:`UndecidedError` for a
+        Raises :class:`CoercionError` for a value that is not in the field, and :class:`UndecidedError` for a
         transcendental number that cannot be tested for 0.
         """
         x = unwrap(x)
@@ -128,11 +128,11 @@ class AlgebraicNumbers(ValueRing):
         return value
 
     def generators(self) -> dict[str, Surd | Closed]:
-        """Return nothing: all names are names of numbers."""
+        """Return nothing: all names stand for numbers."""
         return {}
 
     def closed_form(self, x: sympy.Expr) -> Surd | Closed:
-        """Return the number that a sympy expression without symbols is."""
+        """Return the number that a sympy expression without symbols represents."""
         from hfield.fields.algebraic.closed_forms import from_sympy
 
         value = from_sympy(x)
@@ -141,7 +141,7 @@ class AlgebraicNumbers(ValueRing):
         return self(value)
 
     def to_sympy(self, x: Surd | Closed, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return the number as sympy has it."""
+        """Return the number as a sympy expression."""
         from hfield.fields.algebraic.closed_forms import to_sympy
 
         found = to_sympy(x)
@@ -170,13 +170,13 @@ class AlgebraicNumbers(ValueRing):
         return closed_root(x, 2)
 
     def is_square(self, x: Surd | Closed) -> bool:
-        """Return whether x is a square: in RR by its sign. No root is written down."""
+        """Return whether x is a square; in RR, whether it is not negative. No root is computed."""
         return not self.is_real or self.sign(x) >= 0
 
     def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
-        """Return the n-th root: the real one, positive if there are two, of a real number that has one.
+        """Return the n-th root: if a real number has real n-th roots, the real one, the positive one of two.
 
-        Of all others the principal one; so a text means one number in RR and CC.
+        For all other numbers it is the principal root. So a text stands for the same number in RR and in CC.
         """
         if isinstance(n, Surd) and n.terms.keys() <= {1}:
             n = n.terms.get(1, 0)
@@ -191,11 +191,11 @@ class AlgebraicNumbers(ValueRing):
     def irreducible_factors(
         self, coefficients: Sequence[Surd | Closed]
     ) -> list[list[Surd | Closed]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+        """Return the distinct monic irreducible factors of a nonzero polynomial.
 
-        With rational coefficients all, their roots radicals or cosines where these are short, else by number
-        (``rootof``); with others as :meth:`hfield.fields.base.ring.Ring.irreducible_factors`. Raises
-        :class:`UndecidedError` for the rest.
+        If all coefficients are rational, all factors are found; their roots are radicals or cosines if these
+        are short, else roots given by number (``rootof``). Otherwise as in
+        :meth:`hfield.fields.base.ring.Ring.irreducible_factors`. Raises :class:`UndecidedError` for the rest.
         """
         rationals = [
             x.terms.get(1, flint.fmpq(0))
@@ -212,7 +212,9 @@ class AlgebraicNumbers(ValueRing):
         return out
 
     def _of_radicals(self, g: flint.fmpq_poly) -> list[list[Surd | Closed]]:
-        """Return the factors of an irreducible polynomial over ℚ of degree above 2, by its roots in CC."""
+        """Return the factors of an irreducible polynomial over ℚ of degree above 2, computed from its roots
+        in CC.
+        """
         from hfield.fields.algebraic.conjugate_pairs import factors
 
         roots = list(map(CC, _roots_in_radicals(g)))
@@ -236,7 +238,7 @@ class AlgebraicNumbers(ValueRing):
 
     @property
     def level(self) -> Fact:
-        """∞ in RR, where squares are not negative; 1 in CC."""
+        """∞ in RR, where −1 is not a sum of squares; 1 in CC."""
         if self.is_real:
             return Fact(INFINITY, "squares of real numbers are not negative")
         return Fact(1, "−1 = I^2")
@@ -247,7 +249,7 @@ class AlgebraicNumbers(ValueRing):
 
     @property
     def orderings(self) -> Fact:
-        """One in RR, for the positive numbers are the squares; none in CC."""
+        """One in RR, because the positive numbers are the squares; none in CC."""
         if self.is_real:
             return Fact(1, "the positive numbers are the squares")
         return super().orderings
@@ -271,7 +273,7 @@ class AlgebraicNumbers(ValueRing):
 
 
 def _surd_of(x: object) -> Surd | None:
-    """Return an element of a quadratic field as a surd; None for all else."""
+    """Return an element of a quadratic field as a surd; None for anything else."""
     convert = getattr(x, "as_surd", None)
     found: Surd | None = convert() if convert else None
     return found
@@ -284,7 +286,9 @@ def _root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
 
 
 def _roots_in_radicals(g: flint.fmpq_poly) -> list[sympy.Expr]:
-    """Return sympy's roots in radicals of an irreducible polynomial over ℚ, if they are short."""
+    """Return the roots in radicals that sympy finds for an irreducible polynomial over ℚ, if they
+    are short.
+    """
     import sympy
 
     order = (g.numer() if g.denom() == 1 else flint.fmpz_poly([2])).is_cyclotomic()

@@ -1,9 +1,9 @@
 """Sums of rational multiples of square roots of integers: exact, canonical, hashable, without sympy.
 
-QQ(sqrt(d)), QQ(I) and most numbers that anyone types into RR or CC lie in these fields, the fields
-ℚ(√n₁, √n₂, …). Square roots of integers in different square classes are linearly independent over ℚ
-(Besicovitch, 1940), so a number is 0 exactly when all its coefficients are. The classes are those of
-:mod:`.radicands`: radicands are squarefree, apart from long ones that nobody factors.
+QQ(sqrt(d)), QQ(I) and most numbers that people type into RR or CC lie in these fields, ℚ(√n₁, √n₂, …). Square
+roots of integers in different square classes are linearly independent over ℚ (Besicovitch, 1940), so a number
+is 0 exactly if all its coefficients are. :mod:`.radicands` picks the representatives of the classes: they are
+squarefree, apart from long ones that were not factored.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ _ZERO = flint.fmpq(0)
 class Surd(PrintedBySympy):
     """An immutable number ``Σ cₙ·√n`` over integers n; ``√−n`` is ``i·√n`` for n > 0.
 
-    ``terms`` maps n to the rational cₙ ≠ 0. The √n are the principal roots. No product of two of the n
-    is a square, and none but 1 is one itself; they are squarefree where they could be factored.
+    ``terms`` maps n to the rational cₙ ≠ 0. The √n are the principal roots. No product of two different n is
+    a square, and no n but 1 is a square. They are squarefree if they could be factored.
     """
 
     __slots__ = ("terms",)
@@ -50,7 +50,9 @@ class Surd(PrintedBySympy):
 
     @staticmethod
     def common_field(*numbers: object) -> Ring | None:
-        """Return ℚ(√d) for numbers with one root. Raises :class:`RingError` for several."""
+        """Return the field ℚ(√d) of numbers with one square root. Raises :class:`RingError` for several
+        roots.
+        """
         return REGISTRY.functions.common_quadratic_field(*numbers)
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -123,7 +125,9 @@ class Surd(PrintedBySympy):
         return power(ONE, self if n >= 0 else self.inverse(), abs(n))
 
     def inverse(self) -> Surd:
-        """Return 1/self: times the conjugates, one independent root after the other."""
+        """Return 1/self, by multiplying by the conjugates with respect to one independent root
+        after another.
+        """
         if not self.terms:
             raise NotInvertibleError("cannot divide by 0")
         top, bottom = ONE, self
@@ -136,7 +140,9 @@ class Surd(PrintedBySympy):
         return Surd({n: c * d for n, d in top.terms.items()})
 
     def conjugate_at(self, b: int) -> Surd:
-        """Return the number with √b replaced by −√b, for −1 (complex conjugation) or an independent b."""
+        """Return the number with √b replaced by −√b, where b is −1 (complex conjugation) or an independent
+        radicand.
+        """
         return Surd(
             {n: -c if (n < 0 if b == -1 else odd(n, b)) else c for n, c in self.terms.items()}
         )
@@ -173,7 +179,7 @@ class Surd(PrintedBySympy):
         return Surd({-n: c for n, c in self.terms.items() if n < 0})
 
     def over(self, d: int) -> Surd | None:
-        """Return the number written with 1 and √d alone, where it is possible."""
+        """Return the number written in terms of 1 and √d alone, if that is possible."""
         terms = {1: self.terms[1]} if 1 in self.terms else {}
         for n, c in self.terms.items():
             if n != 1:
@@ -184,7 +190,7 @@ class Surd(PrintedBySympy):
         return Surd(terms)
 
     def ball(self, bits: int) -> flint.acb:
-        """Return a complex ball of flint around the number, computed with that many bits."""
+        """Return a complex ball of flint around the number, computed with ``bits`` bits."""
         with precision(bits):
             re, im = flint.arb(0), flint.arb(0)
             for n, c in self.terms.items():
@@ -193,7 +199,7 @@ class Surd(PrintedBySympy):
             return flint.acb(re, im)
 
     def sign(self, flipped: int = 0) -> int:
-        """Return the sign of a real number; with ``flipped`` = d, that of its image under √d ↦ −√d."""
+        """Return the sign of a real number; with ``flipped`` = d, the sign of its image under √d ↦ −√d."""
         x = Surd({n: -c if n == flipped else c for n, c in self.terms.items()}) if flipped else self
         if len(x.terms) <= 1:
             return next((1 if c > 0 else -1 for c in x.terms.values()), 0)
@@ -207,10 +213,11 @@ class Surd(PrintedBySympy):
             bits *= 2
 
     def sqrt(self, within: int | None = None) -> Surd | None:
-        """Return the principal square root if it is a sum of two surds or simpler; else None.
+        """Return the principal square root if it is a sum of at most two square roots of rational numbers;
+        else None.
 
-        With ``within`` = d, only if it lies in ℚ(√d); then nothing is factored.
-        ``√(a + b√n) = √((a+s)/2) ± √((a−s)/2)`` with ``s² = a² − b²n`` does it where s is rational.
+        With ``within`` = d, only if it lies in ℚ(√d); then nothing is factored. The formula is ``√(a + b√n) =
+        √((a+s)/2) ± √((a−s)/2)`` with ``s² = a² − b²n``, if s is rational.
         """
         others = [n for n in self.terms if n != 1]
         if len(others) > 1:
@@ -238,7 +245,9 @@ class Surd(PrintedBySympy):
         )
 
     def __repr__(self) -> str:
-        """Write a number of QQ(sqrt(-7)) as that field reads it, which has no I; CC reads it too."""
+        """Write a number of QQ(sqrt(-7)) in the form that this field, which has no I, reads; CC
+        reads it too.
+        """
         return self.text(imaginary=not self.terms.keys() <= {1, min(self.terms, default=1)})
 
     def _repr_latex_(self) -> str:
@@ -252,7 +261,7 @@ ONE = Surd({1: flint.fmpq(1)})
 
 
 def as_surd(x: object) -> Surd | None:
-    """Return a surd or a rational number as a surd; None for all else."""
+    """Return a surd or a rational number as a surd; None for anything else."""
     if type(x) is Surd:
         return x
     number = rational(x)
@@ -273,9 +282,9 @@ def from_rational(x: int | Fraction) -> Surd:
 
 
 def sqrt_rational(x: flint.fmpq, near: int = 1) -> Surd:
-    """Return the principal root of flint's rational x; ``√−n`` is ``i·√n``.
+    """Return the principal root of a flint rational x; ``√−n`` is ``i·√n``.
 
-    Nothing is factored where it is a rational multiple of ``√near``.
+    Nothing is factored if the root is a rational multiple of ``√near``.
     """
     root = root_near(x, near)
     if root is not None:
@@ -285,7 +294,7 @@ def sqrt_rational(x: flint.fmpq, near: int = 1) -> Surd:
 
 
 def root_near(x: flint.fmpq, n: int) -> Surd | None:
-    """Return the principal root of flint's rational x if it is a rational multiple of √n; else None."""
+    """Return the principal root of a flint rational x if it is a rational multiple of √n; else None."""
     if x == 0:
         return Surd({})
     same = ratio(int(x.p) * int(x.q), n)
@@ -293,7 +302,7 @@ def root_near(x: flint.fmpq, n: int) -> Surd | None:
 
 
 def principal(x: Surd) -> Surd:
-    """Return x or −x: the one with positive real part, or with real part 0 and positive imaginary."""
+    """Return whichever of x and −x has positive real part, or real part 0 and positive imaginary part."""
     sign = x.real().sign() or x.imaginary().sign()
     return x if sign >= 0 else -x
 
@@ -309,7 +318,7 @@ def _rational_root(x: flint.fmpq) -> flint.fmpq | None:
 
 
 def _collected(terms: dict[int, flint.fmpq]) -> dict[int, flint.fmpq]:
-    """Return the terms with one radicand for each square class, and no coefficient 0."""
+    """Return the terms with one radicand for each square class and without zero coefficients."""
     out: dict[int, flint.fmpq] = {}
     for n, c in sorted(terms.items(), key=lambda term: abs(term[0])):
         m, scale = next(((m, r) for m in out if (r := ratio(n, m))), (n, (1, 1)))
@@ -318,7 +327,7 @@ def _collected(terms: dict[int, flint.fmpq]) -> dict[int, flint.fmpq]:
 
 
 def _factors(n: int, style: str, imaginary: bool) -> list[Factor]:
-    """Return √n as factors of a term."""
+    """Return √n as the factors of a term."""
     out = []
     if n < 0 and (imaginary or n == -1):
         out.append(("I", 1))

@@ -10,7 +10,7 @@ _FUNCTIONS = tuple(getattr(sympy, name) for name in FUNCTIONS)
 
 
 def closed_text(expr: sympy.Expr, style: str = "plain") -> str:
-    """Write a sympy number with ``sqrt``, ``root(x,n)``, ``cos`` …, ``pi`` and ``I``."""
+    """Write a sympy number with ``sqrt``, ``root(x,n)``, ``cos`` and so on, ``pi`` and ``I``."""
     if style == "latex":
         return str(sympy.latex(expr, imaginary_unit="I"))
     plain = _text(expr)
@@ -42,7 +42,7 @@ def _text(expr: sympy.Expr) -> str:
 
 
 def _product(expr: sympy.Expr) -> str:
-    """Write a product, its inverse factors behind one slash each."""
+    """Write a product, with each inverse factor after a slash of its own."""
     sign, factors = "", []
     for n, arg in enumerate(expr.as_ordered_factors()):
         if n == 0 and arg.is_Rational and arg < 0:

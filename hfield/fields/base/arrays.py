@@ -1,8 +1,8 @@
-"""Arrays of ring elements as numpy object arrays, safe for elements that numpy takes for sequences.
+"""Arrays of ring elements as numpy object arrays, safe also for elements that numpy would take for sequences.
 
-numpy multiplies an object array by a polynomial by running through the polynomial's coefficients,
-and turns the product of two 0-dimensional arrays into a bare element, which it would misread in the
-next step. :class:`Objects` wraps every operand that is not an array, and keeps 0-dimensional results.
+If an object array is multiplied by a polynomial, numpy iterates over the polynomial's coefficients. The
+product of two 0-dimensional arrays becomes a bare element, which numpy would misread in the next step.
+:class:`Objects` wraps every operand that is not an array, and keeps results 0-dimensional.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ import numpy as np
 from hfield.errors import CoercionError
 
 One: TypeAlias = SupportsIndex | slice | EllipsisType | Sequence[int] | np.ndarray | None
-Index: TypeAlias = One | tuple[One, ...]  # what numpy takes in brackets
+Index: TypeAlias = One | tuple[One, ...]  # the indices that numpy accepts in brackets
 
 
 class Objects(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
@@ -33,9 +33,9 @@ class Objects(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
 
 
 def objects(values: object, convert: Callable[[Any], object]) -> Objects:
-    """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, all else is one x.
+    """Return an array of ``convert(x)`` for each x; lists, tuples and arrays nest, anything else is one x.
 
-    Raises :class:`CoercionError` where the parts of a list differ in shape.
+    Raises :class:`CoercionError` if the parts of a list differ in shape.
     """
     return _converted(values, convert).view(Objects)
 
@@ -59,14 +59,14 @@ def _converted(values: object, convert: Callable[[Any], object]) -> np.ndarray:
 
 
 def wrap(x: object) -> np.ndarray:
-    """Return a 0-dimensional object array that holds x, whatever x is."""
+    """Return a 0-dimensional object array that contains x, whatever x is."""
     out = np.empty((), dtype=object)
     out[()] = x
     return out
 
 
 def owned(array: np.ndarray, source: object) -> np.ndarray:
-    """Return the result, as a copy if it shares memory with the value."""
+    """Return the result, copied if it shares memory with the source."""
     shared = isinstance(source, np.ndarray) and np.may_share_memory(array, source)
     return array.copy() if shared else array
 

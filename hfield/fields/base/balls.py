@@ -1,4 +1,4 @@
-"""Decisions from enclosures of numbers by flint's balls, at increasing precision."""
+"""Decide by enclosing numbers in flint's balls, at increasing precision."""
 
 from collections.abc import Callable
 
@@ -15,9 +15,10 @@ _lock = locks.lock()
 
 
 class precision:  # noqa: N801  # it is used as a function
-    """Set flint's precision for one thread at a time, since it is global.
+    """Set flint's global precision, for one thread at a time.
 
-    Class groups of small fields enter it a hundred times: a generator would cost them a twentieth.
+    It is a class rather than a generator because class groups of small fields enter it a hundred times; a
+    generator would cost them 5 % of their time.
     """
 
     __slots__ = ("before", "bits")
@@ -40,9 +41,11 @@ class precision:  # noqa: N801  # it is used as a function
 
 
 def fingerprint(enclosure: Enclosure) -> tuple[int, int]:
-    """Return integers that depend on the number alone: ``⌊2³⁰·re + π⌋`` and ``⌊2³⁰·im + π⌋``.
+    """Return the integers ``⌊2³⁰·re + π⌋`` and ``⌊2³⁰·im + π⌋``, which do not depend on the precision of the
+    enclosure.
 
-    The shift by π keeps an algebraic number off the integers, where no enclosure would decide a floor.
+    The shift by π keeps algebraic numbers away from the integers, at which no enclosure could determine the
+    floor.
     """
     return _floor(enclosure, lambda z: z.real), _floor(enclosure, lambda z: z.imag)
 

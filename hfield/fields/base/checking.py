@@ -1,4 +1,4 @@
-"""``check_ring``: test a user's ring against the axioms on samples."""
+"""``check_ring``: test a user-defined ring against the axioms on samples."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hfield.fields.base.ring import E, Ring
 SAMPLES = 30
 SAMPLED_MULTIPLES = (0, 1, -1, 2, 3)  # multiples of 1 among the samples
 MAX_LISTED = 300  # elements of a finite ring that are listed
-MULTIPLES = (1, 2, 3, 5, 7, 30, 2**31 - 1)  # of 1, none of which is 0 in characteristic 0
+MULTIPLES = (1, 2, 3, 5, 7, 30, 2**31 - 1)  # multiples of 1; in characteristic 0 none of them is 0
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def _is_listed(F: Ring) -> bool:
     return begins and len(found) == len({F.key(x) for x in found}) == F.order
 
 
-# What a ring says of itself, as far as samples show that it is false.
+# Properties that a ring declares, as far as samples can refute them.
 PROMISES = (
     Axiom("F(x) = x", 1, lambda F, x: F.equal(F(x), x)),
     Axiom("F(5) = 1 + 1 + 1 + 1 + 1 and F(−5) = −F(5)", 0, _is_multiple),
@@ -97,10 +97,11 @@ PROMISES = (
 
 @dataclass(frozen=True)
 class RingReport:
-    """The result of testing a ring on samples: axioms that ``failed``, with the elements, and ``unknown``
-    ones with reasons.
+    """The result of testing a ring on samples: the axioms that ``failed``, with the elements, and the
+    ``unknown`` ones with reasons.
 
-    True where nothing failed, which proves nothing: there are ``samples`` elements, and no more.
+    Its truth value is True if nothing failed. This proves nothing beyond the ``samples`` elements that were
+    tested.
     """
 
     ring: str
@@ -123,11 +124,12 @@ class RingReport:
 
 
 def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
-    """Run a ring of your own through the axioms of a commutative ring with 1, on some of its elements.
+    """Test a user-defined ring against the axioms of a commutative ring with 1, on some of its elements.
 
-    Checked is also what the ring says of itself: characteristic, texts, keys, inverses, annihilators, and the
-    elements of a finite ring. An axiom that raises anything but :class:`UndecidedError` fails. The
-    same seed gives the same samples: small multiples of 1, the ring's generators, and ``ring.random``.
+    The test also checks what the ring states about itself: characteristic, texts, keys, inverses,
+    annihilators, and the elements of a finite ring. An axiom that raises anything but :class:`UndecidedError`
+    fails. The same seed gives the same samples: small multiples of 1, the ring's generators, and values of
+    ``ring.random``.
 
     >>> from hfield import QQ
     >>> check_ring(QQ)
@@ -152,7 +154,7 @@ def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
 
 
 def _counterexample(ring: Ring[E], axiom: Axiom, elements: Sequence[E], rng: Random) -> str | None:
-    """Return where an axiom fails, or None. Raises UndecidedError if that is not known."""
+    """Return elements for which an axiom fails, or None. Raises UndecidedError if that is not known."""
     small = elements[: len(SAMPLED_MULTIPLES)]
     places = [
         *product(small, repeat=min(axiom.count, 2)),

@@ -22,7 +22,7 @@ class Coefficients(tuple[Scalar, ...]):
     ring: Ring
 
     def __new__(cls, ring: Ring, values: Iterable[Scalar]) -> Coefficients:
-        """Make the tuple, and note the ring that its entries are printed by."""
+        """Make the tuple, and record the ring by which its entries are printed."""
         made = super().__new__(cls, values)
         made.ring = ring
         return made

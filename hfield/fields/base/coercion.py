@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 def rational(x: object) -> int | Fraction | None:
-    """Return x as an int or a Fraction if it is an exact rational number; None for all else.
+    """Return x as an int or a Fraction if it is an exact rational number; None for anything else.
 
-    Known are the numbers of Python (``Decimal`` is one), numpy, gmpy2, sympy and flint. An element of a
-    finite field is not one of them, though numpy would convert a galois scalar to its integer label: a label
-    is not a multiple of 1. Neither is a float, which stands for a rational by accident of rounding.
+    The numbers of Python (including ``Decimal``), numpy, gmpy2, sympy and flint are recognised. An element of
+    a finite field is not: numpy would convert a galois scalar to its integer label, but a label is not a
+    multiple of 1. Nor is a float, which is rational only by accident of rounding.
     """
     if isinstance(x, int):  # a bool counts as 0 or 1
         return int(x)
@@ -41,9 +41,9 @@ def rational(x: object) -> int | Fraction | None:
 
 
 def whole_number(text: str) -> int | None:
-    """Return the integer that ``+ - * ^`` make of literals, as in ``10^9+7``; None for any other text.
+    """Return the integer that ``+ - * ^`` form from literals, as in ``10^9+7``; None for any other text.
 
-    Raises :class:`RingError` where it is too large to be worked out.
+    Raises :class:`RingError` if it is too large to compute.
     """
     reader = syntax.Reader(_literal, {}, {"**": _power, "/": _no_quotient}, "integers")
     try:
@@ -71,7 +71,7 @@ def _no_quotient(x: int, y: int) -> int:
 
 
 def is_plain_array(x: object) -> TypeGuard[np.ndarray]:
-    """Return whether x is a numpy array and not one of a library with an arithmetic of its own."""
+    """Return whether x is a plain numpy array, not one of a library with its own arithmetic."""
     kind = type(x)
     return kind.__name__ in ("ndarray", "Objects") and hasattr(x, "dtype")
 
@@ -82,10 +82,10 @@ def unwrap(x: object) -> object:
 
 
 def reduced(x: Fraction) -> int | Fraction:
-    """Return an int where the Fraction is one."""
+    """Return a Fraction as an int if it is an integer."""
     return x.numerator if x.denominator == 1 else x
 
 
 def fmpq(x: int | Fraction) -> flint.fmpq:
-    """Turn an int or a Fraction into flint's rational."""
+    """Convert an int or a Fraction to a flint rational."""
     return flint.fmpq(x.numerator, x.denominator)

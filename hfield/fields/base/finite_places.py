@@ -1,4 +1,4 @@
-"""The protocol of places with a residue field, at which conics and norm forms are reduced."""
+"""The protocol of places with a residue field, in which conics and norm forms are reduced."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Protocol, Self, TypeGuard
 
 
 class Residue(Protocol):
-    """A residue modulo a prime, or a sum or product of some, which a place reduces by its modulus."""
+    """A residue modulo a prime, or a sum or product of residues that a place has yet to reduce."""
 
     def __add__(self, other: Self, /) -> Self: ...
     def __sub__(self, other: Self, /) -> Self: ...
@@ -28,9 +28,9 @@ else:
 
 
 class FinitePlace(Protocol[E, K]):
-    """A place of a field with its residue field, which is a quotient of a ring of numbers or polynomials.
+    """A place of a field together with its residue field, a quotient of a ring of numbers or polynomials.
 
-    Residues are added and multiplied as such, and reduced by ``% modulus``.
+    Residues are added and multiplied as elements of that ring, and reduced by ``% modulus``.
     """
 
     modulus: K
@@ -50,7 +50,7 @@ class FinitePlace(Protocol[E, K]):
         """An element of valuation −1 that is integral at all other finite places."""
 
     def valuation(self, x: E) -> int:
-        """Return the order of a nonzero element."""
+        """Return the valuation of a nonzero element."""
 
     def reduce(self, x: E) -> K:
         """Return the class of an element of valuation ≥ 0."""
@@ -59,7 +59,7 @@ class FinitePlace(Protocol[E, K]):
         """Return an element with the given class."""
 
     def truncated(self, x: E, n: int) -> E:
-        """Return the standard element that is x up to the n-th power of the uniformiser."""
+        """Return the standard element that agrees with x modulo the n-th power of the uniformiser."""
 
     def over_prime_field(self) -> list[K]:
         """Return a basis of the residue field over its prime field."""

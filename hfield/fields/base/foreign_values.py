@@ -41,7 +41,7 @@ def parent_name(x: object) -> str | None:
 
 
 def describe(x: object, ring: str, is_exact: bool, characteristic: int) -> tuple[str, str]:
-    """Return a name for x, and how to mend it, for the error of a ring that refuses it."""
+    """Return a description of x, and of how to convert it, for the error of a ring that rejects it."""
     found = parent_name(x)
     if found is not None:
         other = ", with another modulus" if found == ring else ""

@@ -1,7 +1,7 @@
 """Read sympy's expressions, and elements of sympy's domains, as elements of a ring.
 
-A symbol means the ring's generator of its name, whatever its assumptions. Numbers are read exactly; a ring
-says in ``closed_form`` what a root, a root of unity or a cosine is in it.
+A symbol stands for the ring's generator of the same name, whatever its assumptions. Numbers are read exactly;
+the ring's method ``closed_form`` interprets roots, roots of unity and cosines.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def is_of_sympy(x: object) -> bool:
 
 
 def is_expression(x: object) -> TypeGuard[sympy.Expr]:
-    """Return whether x is an expression of sympy, its quaternions excepted."""
+    """Return whether x is a sympy expression other than a quaternion."""
     if not is_of_sympy(x):
         return False
     import sympy
@@ -42,9 +42,9 @@ def is_expression(x: object) -> TypeGuard[sympy.Expr]:
 
 
 def read_foreign(ring: Ring[E], x: object) -> E:
-    """Return the element of the ring that an object of sympy is.
+    """Return the ring element that a sympy object represents.
 
-    Raises :class:`CoercionError` for what the ring does not hold.
+    Raises :class:`CoercionError` for objects that are not in the ring.
     """
     expression = _as_expression(ring, x)
     check_symbols([expression])
@@ -52,7 +52,7 @@ def read_foreign(ring: Ring[E], x: object) -> E:
 
 
 def check_symbols(values: Iterable[object]) -> None:
-    """Raise :class:`CoercionError` where two different symbols of sympy in one call have one name."""
+    """Raise :class:`CoercionError` if two different sympy symbols in one call have the same name."""
     found: dict[str, object] = {}
     for symbol in _symbols_of(values):
         known = found.setdefault(symbol.name, symbol)
@@ -82,7 +82,7 @@ def _assumptions(symbol: object) -> str:
 def coefficients_in(x: object, variable: str) -> list[sympy.Expr]:
     """Return the coefficients of an expression as a polynomial in a variable, low degree first.
 
-    Raises :class:`CoercionError` for what is none.
+    Raises :class:`CoercionError` if it is not a polynomial.
     """
     import sympy
 
@@ -98,7 +98,9 @@ def coefficients_in(x: object, variable: str) -> list[sympy.Expr]:
 
 
 def _as_expression(ring: Ring, x: Foreign) -> sympy.Expr:
-    """Return an object of sympy as an expression, unless its characteristic is another one."""
+    """Return a sympy object as an expression. Raises :class:`CoercionError` if its characteristic differs
+    from the ring's.
+    """
     kind = type(x).__name__
     if kind == "ANP":
         return _of_number_field(ring, x)
@@ -123,7 +125,9 @@ def _as_expression(ring: Ring, x: Foreign) -> sympy.Expr:
 
 
 def _of_number_field(ring: Ring, x: ANP) -> sympy.Expr:
-    """Return an element of a sympy number field in the generator of the ring, which has its polynomial."""
+    """Return an element of a sympy number field in terms of the ring's generator, which has the same minimal
+    polynomial.
+    """
     import sympy
 
     modulus = [Fraction(int(c.numerator), int(c.denominator)) for c in x.mod_to_list()]
@@ -141,7 +145,7 @@ def _of_number_field(ring: Ring, x: ANP) -> sympy.Expr:
 
 
 class _Expression(Generic[E]):
-    """One conversion of an expression, which reads each repeated part once."""
+    """The conversion of one expression; each repeated part is read once."""
 
     def __init__(self, ring: Ring[E], whole: object) -> None:
         self.ring, self.whole = ring, whole
@@ -149,7 +153,7 @@ class _Expression(Generic[E]):
         self.known: dict[sympy.Expr, E] = {}
 
     def read(self, x: sympy.Expr) -> E:
-        """Return the element that an expression is. Raises :class:`CoercionError`."""
+        """Return the element that an expression represents. Raises :class:`CoercionError`."""
         if x not in self.known:
             self.known[x] = self._read(x)
         return self.known[x]
@@ -186,7 +190,7 @@ class _Expression(Generic[E]):
         return value
 
     def _number(self, x: sympy.Expr) -> E:
-        """Return a number: put together from its parts, or as a whole where the ring does not hold these."""
+        """Return a number, composed of its parts, or read as a whole if the parts are not in the ring."""
         ring = self.ring
         if ring.closure or x.has(*_infinite()):  # nothing is gained by its parts
             return ring.closed_form(x)
@@ -234,7 +238,7 @@ def _balanced(parts: list[T], combine: Callable[[T, T], T]) -> T:
 
 
 def closed_form(ring: Ring[E], x: sympy.Expr) -> E:
-    """Return a number without symbols as an element of a ring that holds rational numbers.
+    """Return a number without symbols as an element of a ring that contains the rational numbers.
 
     Raises :class:`CoercionError` for other numbers.
     """

@@ -1,4 +1,4 @@
-"""The complex roots of a polynomial over ℚ, each in a ball of its own, at any precision."""
+"""The complex roots of a polynomial over ℚ, each isolated in a ball, at any precision."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ START = 128
 
 
 class IsolatedRoots:
-    """The roots of a polynomial over ℚ without double roots: real ones ascending, then complex ones.
+    """The roots of a squarefree polynomial over ℚ: the real roots in ascending order, then the complex ones.
 
-    Of two conjugate roots the one above the real axis counts. Roots are complex balls of flint that contain
-    one root each, and keep their number at every precision.
+    Each pair of conjugate roots is represented by the one above the real axis. Roots are complex balls of
+    flint that contain exactly one root each; their order is the same at every precision.
     """
 
     def __init__(self, polynomial: flint.fmpq_poly) -> None:
@@ -31,7 +31,7 @@ class IsolatedRoots:
             return [flint.acb(z) for z, _ in self._whole.complex_roots()]
 
     def at(self, bits: int) -> list[flint.acb]:
-        """Return the roots with so many bits."""
+        """Return the roots with ``bits`` bits."""
         if bits not in self._at:
             finer = self._isolated(bits)
             near = [[z for z in finer if z.overlaps(known)] for known in self._at[START]]
@@ -40,7 +40,9 @@ class IsolatedRoots:
         return self._at[bits]
 
     def numbered(self, n: int, bits: int) -> flint.acb:
-        """Return the n-th root, counting those in the lower half plane too, each after its conjugate."""
+        """Return the n-th root, where roots in the lower half plane are counted too, each after its
+        conjugate.
+        """
         pair, is_below = divmod(max(n - self.real_count, 0), 2)
         z = self.at(bits)[min(n, self.real_count) + pair]
         with precision(bits):
@@ -48,7 +50,7 @@ class IsolatedRoots:
 
 
 def _order(z: flint.acb, w: flint.acb) -> int:
-    """Order by real parts, and by imaginary ones where the real parts may be equal."""
+    """Order by real parts, and by imaginary parts if the real parts may be equal."""
     for x, y in ((z.real, w.real), (z.imag, w.imag)):
         if x < y or x > y:
             return -1 if x < y else 1

@@ -1,4 +1,4 @@
-"""Names of rings in LaTeX's mathematics: ``GF(9)(t)`` is 𝔽₉(t)."""
+"""Names of rings as LaTeX mathematics: ``GF(9)(t)`` is 𝔽₉(t)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _WORD = re.compile(rf"(?<!\\)\b({'|'.join(_LETTERS)})\b")
 
 
 def latex_name(name: str) -> str:
-    r"""Return the name of a ring, or of a column of the ledger, in LaTeX's mathematics.
+    r"""Return the name of a ring, or of a column of the ledger, as LaTeX mathematics.
 
     >>> latex_name("GF(9)(t)"), latex_name("QQ(sqrt(-7))"), latex_name("QQ[x]/(x^3-2)")
     ('\\mathbb{F}_{9}(t)', '\\mathbb{Q}(\\sqrt{-7})', '\\mathbb{Q}[x]/(x^{3}-2)')

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Coefficient
 
 
-SEARCH = 2_000  # the largest modulus over which squares are searched one by one
+SEARCH = 2_000  # the largest modulus for which squares are searched one by one
 
 
 class Modular(ValueRing):
@@ -53,9 +53,9 @@ class Modular(ValueRing):
         self._type = type(self.residue(0))
 
     def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
-        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text.
+        """Convert an int n to n·1 and a Fraction a/b to a·b⁻¹; read a text.
 
-        Raises :class:`CoercionError`, and :class:`NotInvertibleError` where b is not a unit.
+        Raises :class:`CoercionError`, and :class:`NotInvertibleError` if b is not a unit.
         """
         x = unwrap(x)
         if isinstance(x, self._type):
@@ -72,7 +72,7 @@ class Modular(ValueRing):
         return self.residue(number)
 
     def closed_form(self, x: sympy.Expr) -> flint.nmod | flint.fmpz_mod:
-        """Raise for roots and other closed forms, of which there may be several or none."""
+        """Raise an error for roots and other closed forms: there may be several such elements, or none."""
         raise self.refuse(x, "of numbers only rational ones are read here")
 
     def to_sympy(
@@ -84,16 +84,16 @@ class Modular(ValueRing):
         return sympy.Integer(int(x))
 
     def _modulus_of(self, x: Coefficient) -> int:
-        """Return the modulus of a residue; that of flint's fmpz_mod is computed from −1."""
+        """Return the modulus of a residue; for flint's fmpz_mod it is computed from −1."""
         return int(x.modulus()) if self.modulus < WORD else int(-(x - x + 1)) + 1
 
     @property
     def residues_of(self) -> tuple[Ring, flint.fmpz]:
-        """ℤ, and the modulus."""
+        """ℤ and the modulus."""
         return self.integers, flint.fmpz(self.modulus)
 
     def modulo(self, n: int) -> Ring | None:
-        """Return ℤ/n where n divides the modulus."""
+        """Return ℤ/n for a divisor n of the modulus."""
         return None if self.modulus % n else self.integers.modulo(n)
 
     def lift(self, x: flint.nmod | flint.fmpz_mod) -> flint.fmpz:
@@ -107,11 +107,13 @@ class Modular(ValueRing):
     key = state = label
 
     def from_label(self, n: int) -> flint.nmod | flint.fmpz_mod:
-        """Return the residue of a number from 0 to n − 1."""
+        """Return the residue with a given label from 0 to n − 1."""
         return self.residue(n)
 
     def inverse(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod:
-        """Return 1/x. Raises :class:`NotInvertibleError`, which names a zero divisor's partner."""
+        """Return 1/x. Raises :class:`NotInvertibleError`, whose message gives a nonzero element that
+        annihilates x.
+        """
         value = int(x)
         common = gcd(value, self.modulus)
         if common == 1:
@@ -133,7 +135,7 @@ class Modular(ValueRing):
         return None if common == 1 else self.residue(self.modulus // common)
 
     def sqrt(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod | None:
-        """Return the smallest y with y² = x, or None. Raises :class:`UndecidedError`, if n is too large."""
+        """Return the smallest y with y² = x, or None. Raises :class:`UndecidedError` if n is too large."""
         if self.is_zero(x):
             return x
         if self.is_field:
@@ -160,7 +162,7 @@ class Modular(ValueRing):
     def roots(
         self, coefficients: Sequence[flint.nmod | flint.fmpz_mod]
     ) -> list[flint.nmod | flint.fmpz_mod]:
-        """Return the roots of a polynomial that is not 0. Raises :class:`UndecidedError`."""
+        """Return the roots of a nonzero polynomial. Raises :class:`UndecidedError`."""
         return [
             self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)
         ]
@@ -168,7 +170,7 @@ class Modular(ValueRing):
     def irreducible_factors(
         self, coefficients: Sequence[flint.nmod | flint.fmpz_mod]
     ) -> list[list[flint.nmod | flint.fmpz_mod]]:
-        """Return the monic irreducible factors of a polynomial modulo a prime, not 0, each once."""
+        """Return the distinct monic irreducible factors of a nonzero polynomial modulo a prime."""
         if not self.is_field:
             return super().irreducible_factors(coefficients)
         over = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(self.modulus))
@@ -195,7 +197,7 @@ class Modular(ValueRing):
         return self._fewest_squares()
 
     def _two_squares(self) -> tuple[Coefficient, ...]:
-        """Return x, y with x² + y² = −1 in a prime field; about every second x will do."""
+        """Return x, y with x² + y² = −1 in a prime field; about half of all x have such a y."""
         for n in range(1, self.modulus):
             x = self.residue(n)
             y = self.sqrt(-1 - x * x)
@@ -204,7 +206,7 @@ class Modular(ValueRing):
         raise AssertionError("every finite field of odd characteristic has two such squares")
 
     def _fewest_squares(self) -> tuple[flint.nmod, ...]:
-        """Search sums of 1, 2, 3 and 4 squares; four suffice (Lagrange)."""
+        """Search for sums of 1, 2, 3 and 4 squares; four suffice (Lagrange)."""
         n = self.modulus
         roots: dict[int, int] = {}
         for y in range(n // 2 + 1):
@@ -223,7 +225,7 @@ class Modular(ValueRing):
         return tuple(self.residue(y) for y in found)
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements as four ints between 0 and n − 1."""
+        """Return the storage of elements as four ints between 0 and n − 1."""
         from hfield.fields.base.storage.quotients import ResidueStorage
 
         return ResidueStorage(self, constants)
@@ -237,7 +239,7 @@ class Modular(ValueRing):
         return self.residue(rng.randrange(self.modulus))
 
     def power(self, x: flint.nmod | flint.fmpz_mod, n: int) -> flint.nmod | flint.fmpz_mod:
-        """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
+        """Return xⁿ; for n < 0, x is inverted first. Exponents of any size are fast."""
         base = x if n >= 0 else self.inverse(x)
         return self.residue(pow(int(base), abs(n), self.modulus))
 

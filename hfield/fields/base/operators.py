@@ -1,4 +1,4 @@
-"""Operators of elements that know their field, and fields with such elements."""
+"""Operators of elements that know their field, and fields that have such elements."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 class Element(PrintedBySympy):
-    """An immutable element of ``field``, which mixes with elements of the same field and with numbers.
+    """An immutable element of ``field``. Its operators accept elements of the same field and numbers.
 
-    A class of elements gives :meth:`plus`, ``-x``, :meth:`times` and :meth:`same`.
+    Subclasses define :meth:`plus`, ``-x``, :meth:`times` and :meth:`same`.
     """
 
     __slots__ = ("field",)
@@ -52,7 +52,7 @@ class Element(PrintedBySympy):
         return found
 
     def coerced(self, other: object) -> Self | None:
-        """Return ``other`` as an element of the same field, None if it has no meaning there.
+        """Return ``other`` as an element of the same field; None if it cannot be read as one.
 
         Raises :class:`CoercionError` for an element of another field.
         """
@@ -116,19 +116,21 @@ class Element(PrintedBySympy):
 
 
 class Overfield(Ring[E]):
-    """A field above a ring; its elements are :class:`~hfield.fields.base.operators.Element`.
+    """A field that contains a given ring; its elements are :class:`~hfield.fields.base.operators.Element`.
 
-    A class of such fields gives :meth:`from_below`.
+    Subclasses define :meth:`from_below`.
     """
 
     is_field = True
 
     @abstractmethod
     def from_below(self, x: object) -> E:
-        """Return as an element of the field what the ring below reads; it raises :class:`CoercionError`."""
+        """Convert a value that the ring below reads to an element of the field. Raises
+        :class:`CoercionError`.
+        """
 
     def __call__(self, x: object) -> E:
-        """Return the element of a value: an element, a value of the ring below, or a text.
+        """Convert an element, a value of the ring below, or a text to an element.
 
         Raises :class:`CoercionError`.
         """

@@ -1,4 +1,4 @@
-"""Powers by repeated squaring, with a bound of the size of the result in bits."""
+"""Powers by repeated squaring, with a limit on the size of the result in bits."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 M = TypeVar("M", bound=SupportsArithmetic)
 
-MAX_UNCHECKED_POWER = 16  # a power up to this is computed whatever comes of it
+MAX_UNCHECKED_POWER = 16  # powers up to this one are computed without a check of the size
 MAX_BITS = 1 << 20
 QUICK_BITS = 1 << 16
 TIMES = 8  # as much as this a value may grow in any case
@@ -66,7 +66,7 @@ def _flint_bits(x: Coefficient | AnyPolynomial) -> int:
 
 
 def _bits_of_alike(numbers: list[Coefficient]) -> int:
-    """Return the bits of numbers of one type of flint's; elements of a finite ring count 1 each."""
+    """Return the bits of numbers of one flint type; elements of a finite ring count 1 each."""
     if numbers and isinstance(numbers[0], int):
         return sum(map(int.bit_length, numbers))
     if numbers and hasattr(numbers[0], "height_bits"):
@@ -86,7 +86,9 @@ def _symbolic_bits(expr: sympy.Expr) -> int:
 
 
 def is_quick(x: object, n: int) -> bool:
-    """Return whether the polynomial xⁿ is small: its degree and its numbers are below QUICK_BITS bits."""
+    """Return whether the polynomial xⁿ is small: its degree and its coefficients are below
+    QUICK_BITS bits.
+    """
     return n <= MAX_UNCHECKED_POWER or bits(x) * n <= QUICK_BITS
 
 
@@ -101,15 +103,15 @@ def check_growth(start: int, power: object) -> None:
 
 
 def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:
-    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    """Return xⁿ for n ≥ 0, by the library's own power if the result is small enough for it."""
     return x**n if is_quick(x, n) else power(one, x, n)
 
 
 def power(one: M, x: M, n: int) -> M:
-    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with identity ``one``.
 
-    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
-    unity, has powers of any size.
+    Raises :class:`TooLargeError` if the result would fill the memory. Exponents of any size are allowed if
+    the powers stay small, as for a root of unity.
     """
     result = one
     start = bits(x) if n > MAX_UNCHECKED_POWER else None

@@ -1,4 +1,4 @@
-"""Sums of terms as text, in the three styles; ``plain`` is what the rings read back."""
+"""Sums of terms as text, in the three styles; the rings read ``plain`` back."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ Factor = tuple[str, int]
 
 
 def sum_text(terms: Iterable[tuple[str, Sequence[Factor]]], style: str) -> str:
-    """Write ``Σ coefficient · Π nameⁿ`` without spaces; terms with coefficient ``0`` must be left out.
+    """Write ``Σ coefficient · Π nameⁿ`` without spaces. The caller omits terms with coefficient ``0``.
 
-    A coefficient is a text: a number, or a sum, which is put into parentheses where it has to be.
+    A coefficient is the text of a number or a sum; sums are parenthesised if necessary.
     """
     out = ""
     for coefficient, factors in terms:
@@ -62,7 +62,7 @@ def power_text(name: str, n: int, style: str) -> str:
 
 
 def blackboard(name: str) -> str:
-    """Return the name of a ring with ℚ and ℤ as they are written on the blackboard."""
+    """Return the name of a ring with ℚ and ℤ in blackboard bold."""
     return re.sub(r"\bQQ", "ℚ", re.sub(r"\bZZ", "ℤ", name))
 
 
@@ -87,7 +87,7 @@ def rational_json(x: Rational) -> int | str:
 
 
 def is_sum(text: str) -> bool:
-    """Return whether a text has a plus or minus outside all parentheses, a leading sign apart."""
+    """Return whether a text has a plus or minus outside all parentheses, not counting a leading sign."""
     return any(n and char in "+-−" and text[n - 1] != "^" for n, char in outside(text))
 
 
@@ -97,7 +97,7 @@ def parentheses(text: str, style: str) -> str:
 
 
 def quotient_text(numerator: str, denominator: str, style: str) -> str:
-    """Write a fraction of two sums; a denominator ``1`` is left out."""
+    """Write a fraction of two sums; a denominator ``1`` is omitted."""
     if denominator == "1":
         return numerator
     if style == "latex":
@@ -109,7 +109,7 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
 
 
 def from_unicode(text: str) -> str:
-    """Rewrite superscripts and roots for the grammar: ``x²`` to ``x^2``, ``√2`` to ``sqrt(2)``."""
+    """Rewrite superscripts and roots for the grammar: ``x²`` as ``x^2``, ``√2`` as ``sqrt(2)``."""
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: f"^({m[0].translate(_DIGITS)})", text)
     text = re.sub(r"√\s*([-−]?\d+|[^\W\d]\w*)", r"sqrt(\1)", text)
     return re.sub(r"√\s*\(", "sqrt(", text).replace("π", "pi")

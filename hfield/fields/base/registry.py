@@ -1,8 +1,7 @@
-"""The registry in which rings find the theory of their places.
+"""The registry through which rings find the theory of their places.
 
-The theory of the places of a ring is built on rings, so a ring cannot import it. Instead,
-:mod:`hfield.fields.provided` registers functions when hfield is imported. Each function imports its result on
-first use.
+The theory of places is built on rings, so a ring cannot import it. Instead, :mod:`hfield.fields.provided`
+registers functions when hfield is imported. Each function imports its result on first use.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ class Theory:
     """The theory of one kind of fields with places.
 
     ``arithmetic`` returns the subclass of ``GlobalField`` (hfield.fields.quadratic_forms.global_field) for
-    these fields; ``completion`` completes a field at a place, and is None where completions are not offered.
+    these fields. ``completion`` completes a field at a place; it is None if completions are not implemented.
     ``read`` returns the field that a text without spaces names, or None; :func:`hfield.ring` calls it.
     """
 
@@ -35,26 +34,28 @@ class Theory:
 
 
 class FieldFunctions(Protocol):
-    """Single functions that rings need from the kinds of fields above them."""
+    """Functions that rings need from the kinds of fields built on them."""
 
     def rational_functions(self, base: Ring, variable: str) -> Ring:
         """Return the field of rational functions in one variable over a field."""
 
     def cosine_and_sine(self, ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
-        """Return cosine and sine of an angle, divided into equal parts, as elements of the ring."""
+        """Return the cosine and sine of an angle divided into equal parts, as elements of the ring."""
 
     def rational_number(self, x: sympy.Expr) -> object | None:
-        """Return the rational number that an expression without symbols is, or None."""
+        """Return the rational number that an expression without symbols represents, or None."""
 
     def algebraic_to_sympy(self, x: object) -> sympy.Expr | None:
-        """Return an element of RR or CC as an expression, None for other values."""
+        """Return an element of RR or CC as an expression; None for other values."""
 
     def common_quadratic_field(self, *elements: object) -> Ring | None:
-        """Return ℚ(√d) for sums of rational numbers and multiples of √d, None where all are rational."""
+        """Return ℚ(√d) for sums of rational numbers and multiples of √d; None if all are rational."""
 
 
 class Registry:
-    """The theories of classes of rings, by the name in the attribute ``theory``, and single functions."""
+    """The theories of classes of rings, under the names in their attribute ``theory``, and single
+    functions.
+    """
 
     functions: FieldFunctions
 
@@ -62,7 +63,7 @@ class Registry:
         self._theories: dict[str, Theory] = {}
 
     def add(self, name: str, theory: Theory) -> None:
-        """Add a theory under a name that no other one has. Raises ValueError."""
+        """Add a theory under a new name. Raises ValueError if the name is taken."""
         if name in self._theories:
             raise ValueError(f"there is a theory {name!r} already; expected another name")
         self._theories[name] = theory
@@ -72,11 +73,11 @@ class Registry:
         del self._theories[name]
 
     def theory_of(self, ring: Ring) -> Theory | None:
-        """Return the theory of a field with places, None for other rings."""
+        """Return the theory of a field with places; None for other rings."""
         return self._theories[ring.theory] if ring.theory else None
 
     def read(self, name: str) -> Ring | None:
-        """Return the field of some theory that a text without spaces names, or None."""
+        """Return the field that a text without spaces names in some theory, or None."""
         readers = (theory.read for theory in self._theories.values() if theory.read)
         return next((found for read in readers if (found := read(name)) is not None), None)
 

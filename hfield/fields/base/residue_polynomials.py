@@ -1,4 +1,4 @@
-"""Polynomials over GF(p) of FLINT, p of any size, and idempotents modulo one of them."""
+"""FLINT's polynomials over GF(p), p of any size, and idempotents modulo a polynomial."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def polynomials_modulo(p: int) -> Callable[[list[Coefficient]], Polynomial]:
-    """Return what makes flint polynomials over GF(p) from coefficients, low degree first."""
+    """Return a function that makes flint polynomials over GF(p) from coefficients, low degree first."""
     if p < WORD:
         return lambda coefficients: flint.nmod_poly(coefficients, p)
     return flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))  # type: ignore[no-any-return,unused-ignore]
@@ -37,6 +37,8 @@ def sorted_factors(f: flint.nmod_poly) -> list[tuple[flint.nmod_poly, int]]:
 
 
 def idempotent(f: flint.nmod_poly, part: flint.nmod_poly) -> flint.nmod_poly:
-    """Return the polynomial that is 1 modulo a factor of f prime to the rest, and 0 modulo the rest."""
+    """Return the polynomial that is 1 modulo a factor of f coprime to its cofactor, and 0 modulo the
+    cofactor.
+    """
     rest = f // part
     return rest * rest.xgcd(part)[1] % f if rest.degree() > 0 else rest - rest + 1

@@ -1,9 +1,9 @@
-"""The protocol of a base ring, which every ring here and every user's own ring satisfies.
+"""The protocol of a base ring, which every ring here and every user-defined ring satisfies.
 
-A ring is a parent object; its elements are the values of some library as they come, with ``+``,
-``-`` and ``*`` of their own. Only four things have to be given: ``name``, ``characteristic``,
-``__call__`` and, for whatever is not merely ``0 == x``, ``is_zero``. The rest has defaults that
-say "not known" rather than guess. ``docs/reference/rings.md`` builds one from scratch.
+A ring is a parent object; its elements are plain values of some library, with their own ``+``, ``-`` and
+``*``. Only four members are required: ``name``, ``characteristic``, ``__call__`` and, unless ``0 == x`` is
+enough, ``is_zero``. The rest has defaults that answer "not known" rather than guess.
+``docs/reference/rings.md`` builds a ring from scratch.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ Embedding: TypeAlias = "Callable[[Ring, Ring[S]], Callable[[Any], S]]"
 
 INFINITY = float("inf")
 ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
-FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
+FINITE_LIMIT = 10**9  # as in syntax.weight if values do not grow and powers take log n steps
 
 
 @dataclass(frozen=True)
@@ -71,22 +71,22 @@ class Fact:
 
 @runtime_checkable
 class WithIntegers(Protocol):
-    """ℚ and the number fields, which have integers; ``degree`` is that over ℚ."""
+    """ℚ and the number fields, which have a ring of integers; ``degree`` is the degree over ℚ."""
 
     @property
     def degree(self) -> int:
         """The degree over ℚ."""
 
     def integral_basis(self) -> Sequence[Scalar]:
-        """Return a basis over ℤ of the integers, 1 first."""
+        """Return a basis over ℤ of the ring of integers, 1 first."""
 
 
 class Core(ABC, Generic[E]):
     """A commutative ring with 1: the arithmetic of its elements.
 
-    ``name`` is the text that :func:`hfield.ring` reads back; rings of one class are equal when their names
-    are. ``order`` is None for an infinite ring, ``is_field`` where that is not known, ``gen_name`` is the
-    text of the generator, if any.
+    ``name`` is the text that :func:`hfield.ring` reads back; rings of one class are equal if their names are.
+    ``order`` is None for an infinite ring, ``is_field`` is None if that is not known, and ``gen_name`` is the
+    name of the generator, if any.
     """
 
     name: str
@@ -99,7 +99,7 @@ class Core(ABC, Generic[E]):
 
     @abstractmethod
     def __call__(self, x: object) -> E:
-        """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
+        """Convert an int, a Fraction, an element or a text to an element. Raises CoercionError."""
 
     @property
     def zero(self) -> E:
@@ -120,9 +120,9 @@ class Core(ABC, Generic[E]):
         return self.is_zero(x - y)
 
     def inverse(self, x: E) -> E:
-        """Return 1/x: by default for 1 and −1, and by Python's ``/`` where the ring has it.
+        """Return 1/x: by default for 1 and −1, and by Python's ``/`` if the elements support it.
 
-        Raises :class:`NotInvertibleError` where there is none, :class:`UndecidedError` where it is not known.
+        Raises :class:`NotInvertibleError` if there is none, :class:`UndecidedError` if it is not known.
         """
         if self.is_zero(x):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
@@ -137,7 +137,7 @@ class Core(ABC, Generic[E]):
         return found
 
     def _quotient(self, x: Any) -> E | None:
-        """Return Python's 1/x, None where it is not an element of the ring, or times x is not 1."""
+        """Return Python's 1/x; None if that is not an element of the ring or x·(1/x) is not 1."""
         try:
             found = self(self.one / x)
         except (TypeError, ValueError, ArithmeticError):
@@ -145,7 +145,7 @@ class Core(ABC, Generic[E]):
         return found if type(found) is type(x) and self.is_zero(found * x - self.one) else None
 
     def is_unit(self, x: E) -> bool:
-        """Return whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
+        """Return whether x has an inverse. Raises :class:`UndecidedError` if that is not known."""
         if self.is_field and self.is_exact:
             return not self.is_zero(x)
         try:
@@ -159,13 +159,14 @@ class Core(ABC, Generic[E]):
         return x * self.inverse(y)
 
     def power(self, x: E, n: int) -> E:
-        """Return xⁿ by repeated squaring; n < 0 inverts first."""
+        """Return xⁿ by repeated squaring; for n < 0, x is inverted first."""
         return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
     def annihilator(self, x: E) -> E | None:
-        """Return some nonzero y with x·y = 0, or None: in a domain only 0 has one, in any ring no unit.
+        """Return some nonzero y with x·y = 0, or None. In a domain only 0 has such a y; in any ring, units
+        have none.
 
-        Raises :class:`UndecidedError` where it is not known.
+        Raises :class:`UndecidedError` if it is not known.
         """
         if self.is_zero(x):
             return self.one
@@ -177,7 +178,7 @@ class Core(ABC, Generic[E]):
 
     @property
     def is_domain(self) -> bool:
-        """Whether it is known that a product is 0 only where a factor is."""
+        """Whether it is known that a product is 0 only if a factor is."""
         return bool(self.is_field)
 
     @property
@@ -187,15 +188,17 @@ class Core(ABC, Generic[E]):
         return f"{self.name} is {known}"
 
     def vanishes(self, x: E) -> bool:
-        """Return whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
+        """Return whether x is 0 to its known precision: elements of local fields may be known only up to
+        O(…).
+        """
         return self.is_zero(x)
 
     def is_known(self, x: E) -> bool:
-        """Return whether x is one element: elements of local fields may be known up to O(…)."""
+        """Return whether x is known exactly: elements of local fields may be known only up to O(…)."""
         return True
 
     def agree(self, x: E, y: E) -> bool:
-        """Return whether x = y as far as they are known, in an inexact ring up to rounding."""
+        """Return whether x = y to their known precision; in an inexact ring, up to rounding."""
         if self.is_exact:
             return self.vanishes(x - y)
         size: Any = abs
@@ -207,11 +210,11 @@ class Core(ABC, Generic[E]):
         raise AbsentError(f"{self.name} has no generator")
 
     def text(self, x: E, style: str = "plain") -> str:
-        """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
+        """Write x; the ring reads ``plain`` back. Other styles are ``unicode`` and ``latex``."""
         return str(x)
 
     def key(self, x: E) -> Hashable:
-        """Return a hashable stand-in: equal elements have equal keys."""
+        """Return a hashable key; equal elements have equal keys."""
         return self.text(x)
 
     def state(self, x: E) -> object:
@@ -229,7 +232,7 @@ class Core(ABC, Generic[E]):
 
 
 class Named(Core[E]):
-    """Reading and writing: elements as text, the ring in words, as data and in LaTeX."""
+    """Reading and writing: elements as text; the ring in words, as data and in LaTeX."""
 
     parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
 
@@ -241,23 +244,27 @@ class Named(Core[E]):
 
     @property
     def data(self) -> dict[str, object] | None:
-        """The ring as JSON data in certificates (docs/reference/certificates.md); None where it has none."""
+        """The ring as JSON data in certificates (docs/reference/certificates.md); None if it has no such
+        form.
+        """
         return None
 
     def names(self) -> dict[str, E]:
-        """The names in this ring's texts and their values: its generators (GF(4)(t) has x and t)."""
+        """The names that this ring's texts may contain, with their values: its generators (GF(4)(t) has x and
+        t).
+        """
         return {} if self.gen_name is None else {self.gen_name: self.gen}
 
     def functions(self) -> dict[str, Callable[..., E]]:
-        """The functions in this ring's texts, such as ``sqrt``."""
+        """The functions that this ring's texts may contain, such as ``sqrt``."""
         return {}
 
     def named_constants(self, node: syntax.Node) -> syntax.Node:
-        """Return a tree with each partly known number written as one call."""
+        """Return a tree in which each number known only to some precision is written as one call."""
         return node
 
     def spelled_constants(self, node: syntax.Node) -> syntax.Node:
-        """Return a tree with such calls as people write them."""
+        """Return a tree in which such calls are written in the usual notation."""
         return node
 
     def parse(self, text: str) -> E:
@@ -269,7 +276,9 @@ class Named(Core[E]):
         return value
 
     def ratio(self, x: Fraction) -> E:
-        """Return a Fraction as an element. Raises :class:`NotInvertibleError`: 1/2 is not in GF(4)."""
+        """Return a Fraction as an element. Raises :class:`NotInvertibleError`, for instance for 1/2
+        in GF(4).
+        """
         try:
             return self.divide(self(x.numerator), self(x.denominator))
         except NotInvertibleError:
@@ -279,21 +288,23 @@ class Named(Core[E]):
             ) from None
 
     def generators(self) -> dict[str, E]:
-        """Return what symbols of sympy mean, by name: the generators, without names of numbers."""
+        """Return the elements that symbols of sympy stand for, by name: the generators, without names of
+        numbers.
+        """
         return self.names()
 
     def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
-        """Return the generator in sympy if it has this minimal polynomial, low degree first, or None."""
+        """Return the generator in sympy if it has this minimal polynomial, low degree first; else None."""
         return None
 
     def function_of_symbols(self, x: sympy.Expr, read: Callable[[sympy.Expr], E]) -> E | None:
-        """Return a function of symbols, such as cos(t), as an element, or None where the ring has none."""
+        """Return a function of symbols, such as cos(t), as an element; None if it is not in the ring."""
         return None
 
     def to_sympy(self, x: E, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return x as a sympy expression in the given symbols, or in symbols with the generators' names.
 
-        Raises :class:`CoercionError` where sympy has no such numbers.
+        Raises :class:`CoercionError` if sympy has no such numbers.
         """
         raise CoercionError(f"sympy has no expressions for the elements of {shorten(self.name)}")
 
@@ -305,7 +316,7 @@ class Named(Core[E]):
 
     @property
     def latex_name(self) -> str:
-        """The name in LaTeX's mathematics."""
+        """The name as LaTeX mathematics."""
         from hfield.fields.base.latex_names import latex_name
 
         return latex_name(self.name)
@@ -329,7 +340,7 @@ class Enumerated(Core[E]):
 def _of_numbers_too(
     method: Callable[[Core[E], E], T],
 ) -> Callable[[Core[E], E | int | Fraction | str], T]:
-    """Return a method of elements that takes what the ring reads too: ints, Fractions and texts."""
+    """Return a method of elements that also accepts ints, Fractions and texts that the ring reads."""
 
     @wraps(method)
     def of_value(self: Core[E], x: E | int | Fraction | str) -> T:
@@ -351,11 +362,13 @@ class WithSquares(Core[E]):
 
     @property
     def level(self) -> Fact:
-        """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
+        """The level s(F): the least number of squares with sum −1; ``inf`` if −1 is not a sum of squares."""
         return Fact(None, "nothing is known of the squares of this ring")
 
     def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is not a square") -> Fact:
-        """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
+        """Return the level, given squares with sum −1 and the reason ``fewer`` why fewer squares do not
+        suffice.
+        """
         shown = " + ".join(f"({self.text(y)})^2" for y in squares)
         more = f", and {fewer}" if len(squares) > 1 else ""
         return Fact(len(squares), f"−1 = {shown} in {self.name}{more}")
@@ -365,32 +378,36 @@ class WithSquares(Core[E]):
         return ()
 
     def sqrt(self, x: E) -> E | None:
-        """Return some y with y² = x, or None when there is none; undecided if not known."""
+        """Return some y with y² = x, or None if there is none. Raises :class:`UndecidedError` if it is not
+        known.
+        """
         raise UndecidedError(f"square roots in {self.name} cannot be decided")
 
     def is_square(self, x: E) -> bool:
-        """Return whether x is a square, also where its roots cannot be written down."""
+        """Return whether x is a square, even if its roots cannot be written down."""
         return self.sqrt(x) is not None
 
     def roots(self, coefficients: Sequence[E]) -> list[E]:
         """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
 
-        Raises :class:`UndecidedError` where they are not computed.
+        Raises :class:`UndecidedError` if they are not computed.
         """
         raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
 
     def irreducible_factors(self, coefficients: Sequence[E]) -> list[list[E]]:
-        """Return the monic irreducible factors of a polynomial over a field, not 0, each once.
+        """Return the distinct monic irreducible factors of a nonzero polynomial over a field.
 
-        Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
-        square roots. Raises :class:`UndecidedError` for others.
+        Coefficients go from low to high. The default finds those of polynomials of degree 2, and of degree 4
+        in x², by square roots. Raises :class:`UndecidedError` for others.
         """
         from hfield.fields.base.roots import by_square_roots
 
         return by_square_roots(self, coefficients)
 
     def is_rootless(self, coefficients: Sequence[E]) -> bool:
-        """Return whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
+        """Return whether Σ cₙ·xⁿ certainly has no root; by default only for quadratics, by their
+        discriminants.
+        """
         if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):
             return False
         c, b, a = coefficients
@@ -401,7 +418,7 @@ class WithSquares(Core[E]):
 
     @property
     def orderings(self) -> Fact:
-        """The number of orderings of the field (0 exactly when the level is finite)."""
+        """The number of orderings of the field (0 exactly if the level is finite)."""
         if self.level.value is None:
             return Fact(None, self.level.reason)
         if self.level.value == INFINITY:
@@ -411,13 +428,13 @@ class WithSquares(Core[E]):
     def sign(self, x: E, ordering: int = 0) -> int:
         """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
 
-        Raises :class:`RingError` where there is no such ordering.
+        Raises :class:`RingError` if there is no such ordering.
         """
         self.check_ordering(ordering)
         raise UndecidedError(f"{self.name} has no ordering that is known")
 
     def check_ordering(self, ordering: int) -> None:
-        """Refuse the number of an ordering that the ring does not have."""
+        """Raise an error for the number of an ordering that the ring does not have."""
         known = self.orderings.value
         if ordering < 0 or (known is not None and ordering >= known):
             raise RingError(f"{self.name} has no ordering number {ordering}; there are {known}")
@@ -435,51 +452,52 @@ class WithRelatives(Core[E]):
 
     @property
     def is_domain(self) -> bool:
-        """Whether it is known that a product is 0 only where a factor is."""
+        """Whether it is known that a product is 0 only if a factor is."""
         return super().is_domain or self.fractions is not None
 
     @property
     def fractions(self) -> Ring | None:
-        """The field of fractions of an integral domain that is not a field, where it has a name."""
+        """The field of fractions of an integral domain that is not a field, if that field has a name."""
         return None
 
     def modulo(self, n: int) -> Ring | None:
-        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        """Return ℤ/n if this ring has exactly one homomorphism onto it, as ℤ does, and ℤ/m for n | m; else
+        None.
+        """
         return None
 
     @property
     def residues_of(self) -> tuple[Ring, Scalar] | None:
-        """The Euclidean ring R and the m for which this is R/m, None for any other ring.
+        """The Euclidean ring R and the m for which this ring is R/m; None for any other ring.
 
-        :meth:`lift` then gives an element of R for each of this ring.
+        :meth:`lift` then returns an element of R for each element of this ring.
         """
         return None
 
     def lift(self, x: E) -> Scalar:
-        """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
+        """Return a representative in R, if this ring is R/m (see :attr:`residues_of`)."""
         raise UndecidedError(f"{self.name} is not known as a ring of residues")
 
     @property
     def constants(self) -> Ring | None:
-        """The ring k of constants of k(x) and k[x, …], None for any other ring."""
+        """The ring k of constants of k(x) and k[x, …]; None for any other ring."""
         return None
 
     def as_constant(self, x: E) -> object:
-        """Return the element of the ring of constants that x is, or None."""
+        """Return x as an element of the ring of constants, or None if it is not constant."""
         return None
 
     def embed_from(self, source: Ring[S]) -> Callable[[S], E] | None:
         """Return the map of a ring into this one, or None if elements are to be mapped by their texts.
 
-        Raises :class:`CoercionError` where there is no map.
+        Raises :class:`CoercionError` if there is no map.
         """
         return None
 
     def images_in(self, target: Ring[S]) -> dict[str, S]:
-        """Return the images of this ring's generators in another ring, where their names do not determine
-        them.
+        """Return the images of this ring's generators in another ring, if their names do not determine them.
 
-        Raises :class:`CoercionError` where they mean nothing there.
+        Raises :class:`CoercionError` if they have no meaning there.
         """
         return {}
 
@@ -488,7 +506,7 @@ class WithArrays(Core[E]):
     """Arrays of elements."""
 
     def array(self, values: object) -> np.ndarray:
-        """Turn an element, a sequence or an array into an array that computes elementwise."""
+        """Convert an element, a sequence or an array to an array that computes elementwise."""
         from hfield.fields.base.arrays import objects
 
         return objects(values, self)
@@ -508,7 +526,7 @@ class WithArrays(Core[E]):
         return np.array(flags, dtype=bool).reshape(values.shape)
 
     def scalar(self, x: Any) -> E:
-        """Turn an entry of ``array`` back into an element."""
+        """Convert an entry of ``array`` back to an element."""
         element: E = x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
         return element
 
@@ -525,13 +543,15 @@ class WithVariables(Core[E]):
 
     @property
     def values_ring(self) -> Ring | None:
-        """The ring in which elements lie when every variable has a value there; None without variables."""
+        """The ring that contains an element once every variable is replaced by a value; None without
+        variables.
+        """
         return None
 
     def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
-        """Return what the variables become in the target for values of some of them; the rest stay.
+        """Return the images of the variables in the target, given values for some of them; the others stay.
 
-        Raises :class:`CoercionError` for what the target does not read.
+        Raises :class:`CoercionError` for values that the target does not read.
         """
         own = {name: x for name, x in target.generators().items() if name in self.variable_names}
         return own | {name: target(x) for name, x in values.items()}
@@ -569,7 +589,7 @@ class WithPlaces(Core[E]):
     )
 
     def places(self) -> Iterator[Hashable]:
-        """Yield the places of a global field without end, infinite ones first.
+        """Yield the places of a global field, infinite ones first, without end.
 
         Raises :class:`UndecidedError` for any other ring.
 
@@ -597,9 +617,9 @@ class Ring(
     WithArrays[E],
     WithPlaces[E],
 ):
-    """A commutative ring with 1. Its methods say "not known" rather than guess.
+    """A commutative ring with 1. Its methods answer "not known" rather than guess.
 
-    A class of rings defines ``name``, ``characteristic``, ``__call__``, and overrides what it can compute.
+    A subclass defines ``name``, ``characteristic`` and ``__call__``, and overrides what it can compute.
 
     >>> from hfield import GF
     >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
@@ -607,7 +627,9 @@ class Ring(
     """
 
     def foreign(self, x: object) -> E:
-        """Return the element that an object of sympy is. Raises :class:`CoercionError`, also for all else."""
+        """Return the element that a sympy object represents. Raises :class:`CoercionError`, also for other
+        objects.
+        """
         from hfield.fields.base.from_sympy import is_of_sympy, read_foreign
 
         if not is_of_sympy(x):
@@ -615,28 +637,28 @@ class Ring(
         return read_foreign(self, x)
 
     def closed_form(self, x: sympy.Expr) -> E:
-        """Return the element that a number of sympy is, such as sqrt(2), which is not written as a rational.
+        """Return the element that a sympy number represents if it is not a rational number, such as sqrt(2).
 
-        Raises :class:`CoercionError` where the ring does not hold it.
+        Raises :class:`CoercionError` if it is not in the ring.
         """
         from hfield.fields.base.from_sympy import closed_form
 
         return closed_form(self, x)
 
     def cosine_and_sine_of(self, angle: object, parts: int = 1) -> tuple[E, E]:
-        """Return cosine and sine of an angle, such as ``"2*t + pi/3"``, that is divided into equal parts.
+        """Return the cosine and sine of an angle, such as ``"2*t + pi/3"``, divided into equal parts.
 
-        Raises :class:`CoercionError` where the ring does not have them.
+        Raises :class:`CoercionError` if the ring does not contain them.
         """
         return REGISTRY.functions.cosine_and_sine(self, angle, parts)
 
     def completion(self, place: object) -> Ring:
-        """Return the completion of a global field at a place, or at its text.
+        """Return the completion of a global field at a place, or at the text of one.
 
-        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
-        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
-        elements of the field in it. Raises :class:`RingError` for a place of another field,
-        :class:`UndecidedError` where there are no places.
+        At a finite place it is a local field. At an infinite place it is RR or CC if these read the field,
+        because a statement about all real numbers holds if it holds for the algebraic ones (Tarski); else ℝ
+        or ℂ, whose known elements are those of the field. Raises :class:`RingError` for a place of another
+        field, and :class:`UndecidedError` if there are no places.
 
         >>> from hfield import ring
         >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
@@ -645,7 +667,7 @@ class Ring(
         return REGISTRY.completion(self, place)
 
     def storage(self, constants: Constants) -> Storage:
-        """Return the storage of elements of the algebra with these constants; by default of tuples."""
+        """Return the storage of elements of the algebra with these constants; by default as tuples."""
         from hfield.fields.base.storage.plain import Plain
 
         return Plain(self, constants)
@@ -653,7 +675,7 @@ class Ring(
     def array_storage(self, constants: Constants) -> BatchStorage:
         """Return the storage of arrays of such elements: by default each entry is stored by :meth:`storage`.
 
-        A ring whose arrays are a library's own computes with four of those.
+        A ring whose arrays belong to a library computes with four such arrays.
         """
         if type(self).array is not WithArrays.array:
             return BatchStorage(self, constants)
@@ -663,7 +685,9 @@ class Ring(
 
 
 def shared(kind: Callable[..., R], *arguments: Hashable) -> R:
-    """Return the ring that a class or a method makes of some arguments, the same one each time."""
+    """Return a function that creates one ring for each list of arguments and returns the same one
+    each time.
+    """
     made: R = _shared(kind, *arguments)
     return made
 

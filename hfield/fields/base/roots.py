@@ -22,7 +22,7 @@ MAX_LIFTS = 10_000
 
 
 def rational_roots(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
-    """Return the rational roots, as ``fmpq``, of a polynomial over ℚ that is not 0.
+    """Return the rational roots, as ``fmpq``, of a nonzero polynomial over ℚ.
 
     >>> from hfield import ring
     >>> rational_roots([ring("QQ")(n) for n in (1, -3, 2)])
@@ -32,27 +32,28 @@ def rational_roots(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
 
 
 def irreducible_factors(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq_poly]:
-    """Return the monic irreducible factors of a polynomial over ℚ that is not 0, each once."""
+    """Return the distinct monic irreducible factors of a nonzero polynomial over ℚ."""
     _need_small(coefficients)
     factors = flint.fmpq_poly(list(coefficients)).factor()[1]
     return [g / g.leading_coefficient() for g, _ in factors]
 
 
 def integral(g: flint.fmpq_poly, scale: int | None = None) -> flint.fmpz_poly:
-    """Return the monic polynomial over ℤ of a multiple of the roots of a monic polynomial over ℚ.
+    """Return a monic polynomial over ℤ whose roots are a multiple of those of a monic polynomial over ℚ.
 
-    That is by default the one by the common denominator, which always serves.
+    By default the multiple is by the common denominator, which always suffices.
     """
     n, scale = int(g.degree()), scale or int(g.denom())
     return flint.fmpz_poly([int((c * scale ** (n - k)).p) for k, c in enumerate(g.coeffs())])
 
 
 def near_root(f: flint.fmpz_poly, p: int, digits: int = 0) -> int | None:
-    """Return an r near a root in ℚ_p of a monic irreducible polynomial over ℤ; None where it has no root.
+    """Return an r near a root in ℚ_p of a monic irreducible polynomial over ℤ; None if it has no root there.
 
-    So many ``digits`` are those of the root. Near means v(f(r)) > 2·v(f′(r)), whence Newton's steps lead to a
-    root (Hensel's lemma). With v the order of the discriminant, a root modulo p^(2v + 1) is near one, for
-    v(f′(r)) ≤ v wherever v(f(r)) > v. Raises :class:`UndecidedError` where there are too many.
+    r agrees with the root in ``digits`` digits. Near means v(f(r)) > 2·v(f′(r)); then Newton's iteration
+    converges to a root (Hensel's lemma). If v is the order of the discriminant, a root modulo p^(2v + 1) is
+    near a root, because v(f′(r)) ≤ v whenever v(f(r)) > v. Raises :class:`UndecidedError` if there are too
+    many candidates.
     """
     v, _ = remove(int(f.discriminant()), p)
     roots = residue_roots([int(c) for c in f.coeffs()], p ** (2 * v + 1 + digits))
@@ -60,9 +61,10 @@ def near_root(f: flint.fmpz_poly, p: int, digits: int = 0) -> int | None:
 
 
 def residue_roots(coefficients: Sequence[int], n: int) -> list[int]:
-    """Return the roots modulo n, sorted: modulo primes by flint, lifted to their powers, put together.
+    """Return the roots modulo n, sorted. They are found modulo primes by flint, lifted to prime powers, and
+    combined.
 
-    Raises :class:`UndecidedError` where n has no known factors, or there are too many roots.
+    Raises :class:`UndecidedError` if the factors of n are not known, or there are too many roots.
 
     >>> residue_roots([-1, 0, 1], 24)
     [1, 5, 7, 11, 13, 17, 19, 23]
@@ -118,11 +120,12 @@ def _need_small(coefficients: Sequence[Scalar]) -> None:
 
 
 def by_square_roots(ring: WithSquares[E], coefficients: Sequence[E]) -> list[list[E]]:
-    """Factor a polynomial of degree 1 or 2, or of degree 4 in x², over a field whose squares are known.
+    """Factor a polynomial of degree 1 or 2, or of degree 4 in x², over a field in which square roots can be
+    computed.
 
-    In characteristic 0 the condition is on the squarefree part of the polynomial.
+    In characteristic 0 the condition applies to the squarefree part of the polynomial.
 
-    Raises :class:`UndecidedError` for others, and in characteristic 2 where roots are not computed.
+    Raises :class:`UndecidedError` for others, and in characteristic 2 if roots are not computed.
     """
     *c, _ = monic(ring, coefficients)
     one, zero = ring.one, ring.zero
@@ -164,7 +167,7 @@ def by_square_roots(ring: WithSquares[E], coefficients: Sequence[E]) -> list[lis
 
 
 def monic(ring: Core[E], coefficients: Sequence[E]) -> list[E]:
-    """Return the coefficients of a polynomial that is not 0, divided by the last that is not 0."""
+    """Return the coefficients of a nonzero polynomial, divided by the leading coefficient."""
     c = stripped(ring, coefficients)
     back = ring.inverse(c[-1])
     return [x * back for x in c[:-1]] + [ring.one]
@@ -182,7 +185,7 @@ def distinct(ring: Core[E], factors: list[list[E]]) -> list[list[E]]:
 def of_flint(
     ring: Core[E], polynomial: Polynomial, read: Callable[[Coefficient], E]
 ) -> list[list[E]]:
-    """Return the factors that flint finds of a polynomial, their coefficients read by the ring."""
+    """Return the factors of a polynomial that flint finds, with coefficients converted to ring elements."""
     return [
         monic(ring, [read(factor[n]) for n in range(factor.degree() + 1)])
         for factor, _ in polynomial.factor()[1]
@@ -190,7 +193,9 @@ def of_flint(
 
 
 def divided(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> tuple[list[E], list[E]]:
-    """Return quotient and remainder, [] for 0, by a polynomial g whose last coefficient is not 0."""
+    """Return the quotient and the remainder, [] for 0, on division by a polynomial g with nonzero last
+    coefficient.
+    """
     rest, back = list(f), ring.inverse(g[-1])
     quotient: list[E] = []
     while len(rest) >= len(g):
@@ -216,7 +221,7 @@ def added(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
 
 
 def quadratic_divisors(ring: WithSquares[E], f: Sequence[E]) -> Iterator[tuple[E, E]]:
-    """Yield the (t, n) for which x² − t·x + n divides a polynomial over a field, not 0, each once."""
+    """Yield, each once, the (t, n) for which x² − t·x + n divides a nonzero polynomial over a field."""
     factors = ring.irreducible_factors(f)
     yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
     roots = [-g[0] for g in factors if len(g) == 2]
@@ -247,7 +252,7 @@ def stripped(ring: Core[E], f: Sequence[E]) -> list[E]:
 
 
 def common_divisor(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
-    """Return the monic greatest common divisor, [] of two polynomials that are 0."""
+    """Return the monic greatest common divisor; [] if both polynomials are 0."""
     one, two = stripped(ring, f), stripped(ring, g)
     while two:
         one, two = two, divided(ring, one, two)[1]
@@ -257,7 +262,7 @@ def common_divisor(ring: Core[E], f: Sequence[E], g: Sequence[E]) -> list[E]:
 def monic_root(field: Core[E], f: Sequence[E]) -> list[E] | None:
     """Return the monic g with g² = f for a monic f over a field, low degree first, or None.
 
-    The characteristic is not 2: from the highest coefficient down, each of f gives one of g.
+    The characteristic is not 2. Starting from the highest, each coefficient of f determines one of g.
     """
     size, rest = divmod(len(f) - 1, 2)
     if rest:

@@ -10,10 +10,10 @@ from hfield.fields.base.ring import Ring
 def variables(
     what: str, inner: str, base: Ring | None = None, *, adjoined: bool = False
 ) -> tuple[str, ...]:
-    """Read names of variables, none of which means anything else. Raises :class:`RingError`.
+    """Read names of variables, and check that none has another meaning. Raises :class:`RingError`.
 
-    ``adjoined`` names stand in round brackets, where a number could stand as well: there a name that reads
-    like a constant, ``zeta5`` or ``pi``, is not taken for a variable.
+    ``adjoined`` names stand in round brackets, which may also contain numbers: there a name that looks like a
+    constant, such as ``zeta5`` or ``pi``, is not taken as a variable.
     """
     names = tuple(inner.split(","))
     for name in names:
@@ -46,7 +46,7 @@ def variables(
 
 
 def _free(base: Ring | None) -> str:
-    """Return a letter that names nothing in the ring."""
+    """Return a letter that is not a name in the ring."""
     return next(x for x in "tsuvxyz" if base is None or x not in base.names())
 
 

@@ -1,8 +1,8 @@
 """Angles: sums of rational multiples of named angles and of π, read from texts, trees and sympy.
 
-:class:`SymbolicAngle` is such a sum as a value: the angle of a polar form. Times an axis n, n² = −1, it is
-an :class:`AxisAngle`: the logarithm n·θ of cos θ + n·sin θ, which is not in the algebra, as θ is none
-of the ring.
+:class:`SymbolicAngle` is such a sum as a value: the angle of a polar form. Multiplied by an axis n, n² = −1,
+it is an :class:`AxisAngle`: the logarithm n·θ of cos θ + n·sin θ. It is not in the algebra, because θ is not
+in the ring.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def angle_of(x: object) -> Angle:
 
 
 def _read(node: object) -> Fraction | dict[str, Fraction]:
-    """Return a Fraction, or the multiples of angles in a linear combination of them."""
+    """Return the node as a Fraction, or as a linear combination of angles."""
     match node:
         case syntax.Number(value):
             return Fraction(value)
@@ -91,7 +91,7 @@ def angle_text(name: str, parts: int) -> str:
 
 
 class SymbolicAngle(PrintedBySympy):
-    """An immutable sum of rational multiples of angles and of π; a ring with angles reads it.
+    """An immutable sum of rational multiples of angles and of π; rings with angles read it.
 
     >>> from hfield import ring
     >>> t = ring("QQ(cos(t),sin(t))").angle("t")
@@ -173,7 +173,7 @@ def _is_quaternion(x: object) -> TypeGuard[Quaternion]:
 
 
 class AxisAngle:
-    """The product n·θ of an axis, n² = −1, and an angle: a logarithm. Immutable.
+    """The product n·θ of an axis n, n² = −1, and an angle θ: a logarithm. Immutable.
 
     >>> from hfield import H
     >>> A = H("QQ(cos(t),sin(t))"); q = A("cos(t) + sin(t)*k")
@@ -189,7 +189,7 @@ class AxisAngle:
         self.axis, self.angle = axis, angle
 
     def exp(self) -> Quaternion:
-        """Return ``cos θ + n·sin θ``. Raises :class:`CoercionError` where the ring has no such cosine."""
+        """Return ``cos θ + n·sin θ``. Raises :class:`CoercionError` if the ring has no such cosine."""
         cosine, sine = self.axis.ring.cosine_and_sine_of(self.angle)
         value: Quaternion = self.axis * sine + cosine
         return value
@@ -224,25 +224,29 @@ class WithAngles(Ring[E]):
 
     @abstractmethod
     def cosine_and_sine(self, angle: Angle) -> tuple[E, E]:
-        """Return cosine and sine of an angle. Raises :class:`CoercionError` where the field has none."""
+        """Return the cosine and sine of an angle. Raises :class:`CoercionError` if the field does not contain
+        them.
+        """
 
     @abstractmethod
     def tangent(self, angle: Angle) -> E:
-        """Return the tangent of an angle. Raises :class:`CoercionError` where the field has none."""
+        """Return the tangent of an angle. Raises :class:`CoercionError` if the field does not contain it."""
 
     @abstractmethod
     def sign_near_zero(self, x: E) -> int:
-        """Return the sign of x where all angles are positive and small, the last the smallest."""
+        """Return the sign of x if all angles are positive and small, each much smaller than the one
+        before.
+        """
 
     def angle(self, text: object) -> SymbolicAngle:
         """Return an angle such as ``"2*t + pi/3"`` as a value. Raises :class:`CoercionError`."""
         return SymbolicAngle(angle_of(text))
 
     def angle_of_point(self, cosine: E, sine: E) -> SymbolicAngle:
-        """Return the angle that has this cosine and sine, where cos² + sin² = 1.
+        """Return the angle with this cosine and sine, where cos² + sin² = 1.
 
-        It is a sum Σ m·a of multiples of the angles a and of π: m = cos·sin′ − sin·cos′, derivatives by a.
-        Raises :class:`CoercionError` where it is not.
+        It is a sum Σ m·a of multiples of the angles a, and a multiple of π; here m = cos·sin′ − sin·cos′ with
+        derivatives by a. Raises :class:`CoercionError` if it is not such a sum.
         """
         found: dict[str, Fraction] = {}
         for name in self.variable_names:
@@ -293,7 +297,7 @@ class WithAngles(Ring[E]):
         return self.cosine_and_sine(angle)[name == "sin"]
 
     def function_of_symbols(self, x: sympy.Expr, read: Callable[[sympy.Expr], E]) -> E | None:
-        """Return a circular function of angles, or exp(I·angle) where the field has an I, else None."""
+        """Return a circular function of angles, or exp(I·angle) if the field contains I; else None."""
         import sympy
 
         names = {sympy.cos: "cos", sympy.sin: "sin", sympy.tan: "tan"}
@@ -309,7 +313,7 @@ class WithAngles(Ring[E]):
 
 
 def rotated(ring: Ring[E], pair: tuple[E, E], angle: Angle) -> tuple[E, E]:
-    """Return cosine and sine of an angle, given those of the angle without its multiple of π."""
+    """Return the cosine and sine of an angle, given those of the angle without its multiple of π."""
     turn = angle.get(PI)
     if not turn:
         return pair
@@ -318,7 +322,9 @@ def rotated(ring: Ring[E], pair: tuple[E, E], angle: Angle) -> tuple[E, E]:
 
 
 def cosine_and_sine_of_pi(ring: Ring[E], turn: Fraction) -> tuple[E, E]:
-    """Return cosine and sine of turn·π. Raises :class:`CoercionError` where the ring does not have them."""
+    """Return the cosine and sine of turn·π. Raises :class:`CoercionError` if the ring does not
+    contain them.
+    """
     if (2 * turn).denominator == 1:
         quarter = int(2 * turn) % 4
         return ring((1, 0, -1, 0)[quarter]), ring((0, 1, 0, -1)[quarter])
@@ -329,7 +335,9 @@ def cosine_and_sine_of_pi(ring: Ring[E], turn: Fraction) -> tuple[E, E]:
 
 
 def cosine_and_sine_in(ring: Ring[E], angle: Angle) -> tuple[E, E]:
-    """Return cosine and sine of an angle in a ring. Raises :class:`CoercionError` where it has none."""
+    """Return the cosine and sine of an angle in a ring. Raises :class:`CoercionError` if the ring does not
+    contain them.
+    """
     if isinstance(ring, WithAngles):
         return ring.cosine_and_sine(angle)
     others = [name for name in angle if name != PI]
@@ -339,5 +347,5 @@ def cosine_and_sine_in(ring: Ring[E], angle: Angle) -> tuple[E, E]:
 
 
 def cosine_and_sine_of(ring: Ring[E], angle: object, parts: int) -> tuple[E, E]:
-    """Return cosine and sine of an angle that is divided into equal parts. Raises :class:`CoercionError`."""
+    """Return the cosine and sine of an angle divided into equal parts. Raises :class:`CoercionError`."""
     return cosine_and_sine_in(ring, {name: c / parts for name, c in angle_of(angle).items()})

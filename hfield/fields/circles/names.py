@@ -1,4 +1,4 @@
-"""Names of fields of functions on circles, such as ``QQ(cos(t),sin(t))``, and the fields they name."""
+"""Names of fields of functions on circles, such as ``QQ(cos(t),sin(t))``, and the fields with these names."""
 
 from __future__ import annotations
 

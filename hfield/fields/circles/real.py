@@ -1,6 +1,6 @@
 """RR(cos(t), sin(t), …): functions on circles whose coefficients are real algebraic numbers.
 
-It is the union of the fields K(cos(t), sin(t), …) over the real number fields K. An element is stored over
+It is the union of the fields K(cos(t), sin(t), …) over all real number fields K. An element is stored over
 the field that its coefficients generate; sums and products are computed over the compositum. Elements have
 the normal form P/Q, as over ℚ, with rational coefficients in Q.
 """
@@ -55,9 +55,10 @@ Texts = tuple[str, ...]  # the numbers that generate a field, as RR writes them,
 
 
 def in_generators(x: Surd | Closed) -> Terms:
-    """Write a real algebraic number in square roots of primes, roots, and other numbers by their texts.
+    """Write a real algebraic number in terms of square roots of primes, roots, and other numbers given by
+    their texts.
 
-    Raises :class:`CoercionError` for a number that is not seen to be algebraic.
+    Raises :class:`CoercionError` for a number that is not recognised as algebraic.
     """
     if isinstance(x, Surd):
         return [_in_primes(c, factorise(n)) for n, c in x.terms.items()]
@@ -86,7 +87,7 @@ def in_generators(x: Surd | Closed) -> Terms:
 
 
 def _in_primes(c: flint.fmpq, primes: Mapping[int, int]) -> tuple[flint.fmpq, dict[str, int]]:
-    """Write c·√n for the primes of n, with their exponents."""
+    """Write c·√n in terms of the square roots of the primes that divide n, with exponents."""
     outside = prod(p ** (e // 2) for p, e in primes.items())
     return c * outside, {f"sqrt({p})": 1 for p, e in primes.items() if e % 2}
 
@@ -121,7 +122,7 @@ def _image_of_generator(texts: Texts, target: Texts) -> FieldElement:
 
 
 def _real_number(texts: Texts, coefficients: list[flint.fmpq]) -> Surd | Closed:
-    """Return the real number with these coefficients at the powers of the generator of a field."""
+    """Return the real number with these coefficients in the powers of the generator of a field."""
     if not texts:
         return RR(coefficients[0])
     K = number_field(texts)
@@ -147,7 +148,7 @@ def _product_sum(
 
 
 class RealCircleElement(Element):
-    """An immutable function on circles: ``inner`` lies over the field that the numbers ``texts`` generate."""
+    """An immutable function on circles: ``inner`` is over the field that the numbers ``texts`` generate."""
 
     __slots__ = ("inner", "texts")
 
@@ -226,7 +227,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return over_number_field(number_field(texts), self.base.angles, self.base.plain)
 
     def element(self, inner: Inner, texts: Texts = ()) -> RealCircleElement:
-        """Return the element that an element of :meth:`over` is."""
+        """Return an element of the field :meth:`over` as an element of this field."""
         if isinstance(inner, ExtensionElement) and all(
             map(self.base.is_zero, inner.coefficients[1:])
         ):
@@ -234,7 +235,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return RealCircleElement(self, inner, texts)
 
     def together(self, x: RealCircleElement, y: RealCircleElement) -> tuple[Inner, Inner, Texts]:
-        """Return both elements over one number field, and the numbers that generate the field."""
+        """Return both elements over one number field, and the numbers that generate it."""
         texts = tuple(sorted({*x.texts, *y.texts}))
         return self._lifted(x, texts), self._lifted(y, texts), texts
 
@@ -260,7 +261,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return RR
 
     def constant(self, c: Surd | Closed) -> RealCircleElement:
-        """Return a real algebraic number as a constant. Raises :class:`CoercionError` for others."""
+        """Return a real algebraic number as a constant. Raises :class:`CoercionError` for other values."""
         terms = in_generators(c)
         texts = tuple(sorted({text for _, powers in terms for text in powers}))
         if not texts:
@@ -271,7 +272,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return self.element(self.over_number_field(texts).constant(inner), texts)
 
     def as_constant(self, x: RealCircleElement) -> Surd | Closed | None:
-        """Return the real number that x is, or None."""
+        """Return x as a real number if it is constant; else None."""
         terms, den = self.in_cosines(x)
         none = (0,) * len(self.base.written.variables)
         if not (den.is_constant() and terms.keys() <= {none}):
@@ -280,7 +281,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return terms.get(none, zero)
 
     def from_below(self, x: object) -> RealCircleElement:
-        """Turn a real number, or an element over ℚ, into an element. Raises :class:`CoercionError`."""
+        """Convert a real number, or an element over ℚ, to an element. Raises :class:`CoercionError`."""
         if isinstance(x, Element):
             return self.element(self.base(x))
         return self.constant(RR(x))
@@ -298,7 +299,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return {name: self.element(x) for name, x in self.base.generators().items()}
 
     def functions(self) -> dict[str, Callable[..., RealCircleElement]]:
-        """Cosines, sines and tangents of angles, and the functions of RR of constants."""
+        """Cosines, sines and tangents of angles, and the functions of RR applied to constants."""
         numbers = {name: self._of_constants(name, f) for name, f in RR.functions().items()}
         return {**numbers, **super().functions()}
 
@@ -334,7 +335,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
     def sqrt(self, x: RealCircleElement) -> RealCircleElement | None:
         """Return some y with y² = x, or None.
 
-        With several angles or variables only of a real multiple of a function over ℚ; others raise
+        With several angles or variables, only real multiples of a function over ℚ are supported; others raise
         :class:`UndecidedError`.
         """
         if self.is_zero(x):
@@ -346,7 +347,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
     def _leading_and_root(
         self, x: RealCircleElement
     ) -> tuple[Surd | Closed, RealCircleElement | None]:
-        """Return a real number c and y with x = c·y²; None for y where there is none."""
+        """Return a real number c and some y with x = c·y²; y is None if there is none."""
         if isinstance(x.inner, ExtensionElement) and isinstance(self.base, FunctionField):
             c, y = self.over_number_field(x.texts).leading_and_root(x.inner)
             number = _real_number(x.texts, number_field(x.texts).coefficients_of(c))
@@ -375,11 +376,13 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return Fact(INFINITY, "each angle may be near any point of the circle")
 
     def sign(self, x: RealCircleElement, ordering: int = 0) -> int:
-        """Return the sign of x where all angles are small and positive. Raises :class:`RingError`."""
+        """Return the sign of x if all angles are small and positive. Raises :class:`RingError`."""
         return super().sign(x, ordering) if ordering else self.sign_near_zero(x)
 
     def sign_near_zero(self, x: RealCircleElement) -> int:
-        """Return the sign of x where all angles are positive and small, the last the smallest."""
+        """Return the sign of x if all angles are positive and small, each much smaller than the one
+        before.
+        """
         sign: int = self.over(x.texts).sign_near_zero(x.inner)
         return sign
 
@@ -390,13 +393,13 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
     # --- cosines and sines ---------------------------------------------------------------------
 
     def cosine_and_sine(self, angle: Angle) -> tuple[RealCircleElement, RealCircleElement]:
-        """Return cosine and sine, also of all rational multiples of π."""
+        """Return the cosine and sine; all rational multiples of π are supported."""
         rest = {name: c for name, c in angle.items() if name != PI}
         cosine, sine = map(self.element, self.base.cosine_and_sine(rest))
         return rotated(self, (cosine, sine), angle)
 
     def tangent(self, angle: Angle) -> RealCircleElement:
-        """Return the tangent, also of half the angles of the field."""
+        """Return the tangent; half the angles of the field are also supported."""
         if PI not in angle:
             return self.element(self.base.tangent(angle))
         cosine, sine = self.cosine_and_sine(angle)
@@ -405,7 +408,9 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
     def in_cosines(
         self, x: RealCircleElement
     ) -> tuple[dict[tuple[int, ...], Surd | Closed], SparsePolynomial]:
-        """Return the real coefficients of the numerator by exponents, and the denominator, over ℚ."""
+        """Return the real coefficients of the numerator, by exponents, and the denominator, which
+        is over ℚ.
+        """
         pairs = [self.base.in_cosines(c) for c in _parts(x.inner)]
         common = pairs[0][1]
         for _, den in pairs[1:]:
@@ -455,11 +460,11 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return RR
 
     def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
-        """Return what cosines, sines and variables become; values of angles are angles, such as π/3."""
+        """Return the images of cosines, sines and variables; values of angles are angles, such as π/3."""
         return self.base.images_of(values, target)
 
     def images_in(self, target: Ring[S]) -> dict[str, S]:
-        """Return nothing: cosines and sines are read by their texts."""
+        """Return nothing: cosines and sines are mapped by their texts."""
         return {}
 
     def evaluation(

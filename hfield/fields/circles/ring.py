@@ -1,8 +1,9 @@
-"""K(cos(t), sin(t), …): rational functions on circles, one for each angle, and in further variables.
+"""K(cos(t), sin(t), …): rational functions on circles, one circle for each angle, and in additional
+variables.
 
-The field is that of the rational functions in τ = tan(t/2): cos(t) = (1 − τ²)/(1 + τ²), sin(t) = 2τ/(1 + τ²).
-So it has their arithmetic, and equality is decided. Elements are written P/Q with P in cosines and sines, no
-sine squared, and Q in cosines alone: this is unique in lowest terms.
+The field consists of the rational functions in τ = tan(t/2): cos(t) = (1 − τ²)/(1 + τ²), sin(t) = 2τ/(1 +
+τ²). So it uses their arithmetic, and equality is decided. Elements are written as P/Q, where P is in cosines
+and sines without squares of sines, and Q in cosines alone; in lowest terms this is unique.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
 
 
 class CircleFunctions(WithAngles[RationalFunction], FractionField):
-    """The common part of fields of functions on circles, which are fields of rational functions in half
+    """The common part of fields of functions on circles, which are fields of rational functions in half-angle
     tangents.
 
     >>> from hfield import ring
@@ -61,7 +62,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     plain: tuple[str, ...]  # the other variables
 
     def name_by_angles(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
-        """Store the angles and the other variables, and name the field by them."""
+        """Store the angles and the other variables, and make the field's name from them."""
         self.angles, self.plain = angles, plain
         pairs = [f"{f}({angle_text(*a)})" for a in angles for f in ("cos", "sin")]
         self.name = f"{base.name}({','.join((*plain, *pairs))})"
@@ -96,7 +97,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return below | {name: x for name, x in self.names().items() if name in self.plain}
 
     def images_in(self, target: Ring[S]) -> dict[str, S]:
-        """Return nothing: cosines and sines are read by their texts."""
+        """Return nothing: cosines and sines are mapped by their texts."""
         return {}
 
     # --- cosines and sines ---------------------------------------------------------------------
@@ -104,7 +105,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     def half_tangent_point(self, angle: Angle) -> tuple[RationalFunction, RationalFunction]:
         """Return x and y with (cos, sin) of half an angle = (x, y)/r, for some r that depends on the angle.
 
-        Raises :class:`CoercionError` for an angle that is no sum of multiples of those of the field.
+        Raises :class:`CoercionError` for an angle that is not a sum of multiples of the angles of the field.
         """
         units, tangents = dict(self.angles), self.names()
         x, y = self.one, self.zero
@@ -124,14 +125,18 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return x, y
 
     def cosine_and_sine(self, angle: Angle) -> tuple[RationalFunction, RationalFunction]:
-        """Return cosine and sine. Raises :class:`CoercionError`, as for π/3, whose sine is not in ℚ."""
+        """Return the cosine and sine. Raises :class:`CoercionError`, for instance for π/3, whose sine is not
+        rational.
+        """
         x, y = self.half_tangent_point(angle)
         below = self.inverse(x * x + y * y)
         cosine, sine = (x * x - y * y) * below, x * y * 2 * below
         return rotated(self, (cosine, sine), angle)
 
     def tangent(self, angle: Angle) -> RationalFunction:
-        """Return the tangent, also of half the angles of the field. Raises :class:`CoercionError`."""
+        """Return the tangent; half the angles of the field are also supported. Raises
+        :class:`CoercionError`.
+        """
         if PI in angle:
             cosine, sine = self.cosine_and_sine(angle)
             return sine / cosine
@@ -139,9 +144,10 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return y / x
 
     def leading_near_zero(self, poly: AnyPolynomial) -> tuple[tuple[int, ...], Coefficient]:
-        """Return exponents and coefficient of the term that decides the sign where angles are small.
+        """Return the exponents and coefficient of the term that determines the sign for small angles.
 
-        Tangents are small, the last the smallest; other variables are large, the first the largest.
+        Tangents are small, each much smaller than the one before; other variables are large, each much larger
+        than the next.
         """
         plain = len(self.plain)
         terms = poly.to_dict() if hasattr(poly, "to_dict") else dict(enumerate(poly.coeffs()))
@@ -154,7 +160,9 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return place(exponents), rows[exponents]
 
     def sign_near_zero(self, x: RationalFunction) -> int:
-        """Return the sign of x where all angles are positive and small, the last the smallest."""
+        """Return the sign of x if all angles are positive and small, each much smaller than the one
+        before.
+        """
         if self.is_zero(x):
             return 0
         signs = (self.base.sign(self.base(self.leading_near_zero(p)[1])) for p in (x.num, x.den))
@@ -163,7 +171,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     # --- written in cosines and sines ----------------------------------------------------------
 
     def in_cosines(self, x: RationalFunction) -> tuple[SparsePolynomial, SparsePolynomial]:
-        """Return numerator and denominator in cosines and variables, the numerator in sines too."""
+        """Return numerator and denominator in cosines and variables; the numerator contains sines too."""
         num, den = (self._raised(p) for p in (x.num, x.den))
         plain = len(self.plain)
         for n in range(len(self.angles)):
@@ -198,8 +206,8 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
     def _without_tangent(
         self, num: SparsePolynomial, den: SparsePolynomial, n: int
     ) -> tuple[SparsePolynomial, SparsePolynomial]:
-        """Substitute s/(1 + c) for the n-th half tangent and (1 − c)/(1 + c) for its square; only num is
-        odd in it.
+        """Substitute s/(1 + c) for the n-th half-angle tangent and (1 − c)/(1 + c) for its square; only
+        ``num`` has odd powers of it.
         """
         place = len(self.plain) + n
         size = max((m[place] + 1) // 2 for p in (num, den) for m in p.to_dict())
@@ -236,7 +244,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return num / den
 
     def in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> dict[str, sympy.Expr]:
-        """Return cosines and sines as sympy has them, by their names here."""
+        """Return the cosines and sines as sympy expressions, by their names in this field."""
         import sympy
 
         known: dict[str, sympy.Expr] = dict(symbols)
@@ -285,7 +293,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return value
 
     def images_of_cosines(self, target: Ring[S], images: Mapping[str, S]) -> dict[str, S]:
-        """Return the images of cosines, sines and variables; those without a given image are fixed."""
+        """Return the images of cosines, sines and variables; those without a given image stay fixed."""
         names = self.written.variables
         return {v: images[v] if v in images else target(v) for v in names}
 
@@ -307,7 +315,7 @@ class CircleFunctions(WithAngles[RationalFunction], FractionField):
         return angles | (found & {*self.plain})
 
     def random(self, rng: Random) -> RationalFunction:
-        """Return a random fraction of polynomials of few terms in cosines and sines."""
+        """Return a random quotient of polynomials with few terms in cosines and sines."""
         pairs = [v for a in self.angles for v in self.cosine_and_sine({a[0]: Fraction(1, a[1])})]
         values = [*pairs, *(x for n, x in self.names().items() if n in self.plain)]
         num, den = (
@@ -330,7 +338,7 @@ class OneCircle(CircleFunctions, FunctionField):
 
 
 class SeveralCircles(CircleFunctions, RationalFunctions):
-    """K(x, …, cos(t), sin(t), …) with several angles, or variables besides."""
+    """K(x, …, cos(t), sin(t), …) with several angles, or with additional variables."""
 
     def __init__(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
         tangents = (_tangent_name(*a) for a in angles)
@@ -339,18 +347,18 @@ class SeveralCircles(CircleFunctions, RationalFunctions):
 
 
 class CirclesOverNumberField(WithAngles[ExtensionElement], OverNumberField):
-    """K(cos(t), sin(t), …) over a number field K: ``base`` is the same over ℚ."""
+    """K(cos(t), sin(t), …) over a number field K; ``base`` is the corresponding field over ℚ."""
 
     base: CircleFunctions
 
     def cosine_and_sine(self, angle: Angle) -> tuple[ExtensionElement, ExtensionElement]:
-        """Return cosine and sine; K may have those of multiples of π."""
+        """Return the cosine and sine; K may contain those of some rational multiples of π."""
         rest = {name: c for name, c in angle.items() if name != PI}
         cosine, sine = (self.reduced([x]) for x in self.base.cosine_and_sine(rest))
         return rotated(self, (cosine, sine), angle)
 
     def sign_near_zero(self, x: ExtensionElement) -> int:
-        """Return the sign where all angles are positive and small, and θ is the number in the name of K."""
+        """Return the sign if all angles are positive and small and θ has the value in the name of K."""
         if self.is_zero(x):
             return 0
         base, K = self.base, self._field
@@ -383,7 +391,7 @@ def in_latex(text: str) -> str:
 
 
 def _power(field: Ring[E], tangent: E, n: int) -> tuple[E, E]:
-    """Return real and imaginary part of (1 + τ·I)ⁿ."""
+    """Return the real and the imaginary part of (1 + τ·I)ⁿ."""
     x, y = field.one, field.zero
     for _ in range(n):
         x, y = x - y * tangent, x * tangent + y
@@ -395,7 +403,7 @@ def _tangent_name(name: str, parts: int) -> str:
 
 
 def _mirrored(ring: PolynomialRing, poly: SparsePolynomial, place: int) -> SparsePolynomial:
-    """Return a polynomial with −x for the variable x in that place."""
+    """Return a polynomial with x replaced by −x for the variable x in that place."""
     terms = {m: -c if m[place] % 2 else c for m, c in poly.to_dict().items()}
     found: SparsePolynomial = ring.context.from_dict(terms)
     return found

@@ -1,4 +1,4 @@
-"""Arrays of finite field elements: of galois for small fields, of numpy objects for large ones."""
+"""Arrays of finite field elements: galois arrays for small fields, numpy object arrays for large ones."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ _classes: dict[FiniteField, type[galois.FieldArray]] = {}
 
 
 def field_class(F: FiniteField) -> type[galois.FieldArray] | None:
-    """Return galois's array class for the finite field F, with F's modulus; None if F is too large."""
+    """Return galois's array class for the finite field F with F's modulus; None if F is too large."""
     if F.order >= GALOIS_BELOW:
         return None
     found = _classes.get(F)
     if found is None:
         with (
             lock
-        ):  # of two classes for one field, arrays of one would not go with those of the other
+        ):  # with two classes for one field, arrays of one could not be combined with the others
             found = _classes.get(F)
             if found is None:
                 found = _classes[F] = _made_class(F)
@@ -41,8 +41,8 @@ def field_class(F: FiniteField) -> type[galois.FieldArray] | None:
 
 
 def _made_class(F: FiniteField) -> type[galois.FieldArray]:
-    # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
-    # Without numba's compiler galois has its own way to do that.
+    # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop,
+    # which takes a second. Without numba's compiler galois uses another method.
     options: dict[str, object] = {"compile": "python-calculate" if available() else "auto"}
     subfield = galois.GF(F.characteristic, **options)
     if is_extension(F):
@@ -59,10 +59,10 @@ def _made_class(F: FiniteField) -> type[galois.FieldArray]:
 
 
 def array(F: FiniteField, values: object) -> np.ndarray:
-    """Turn an element, a nested sequence or an array into an array over F, keeping its shape.
+    """Convert an element, a nested sequence or an array to an array over F of the same shape.
 
-    Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
-    included. Raises :class:`CoercionError`.
+    An integer n means n·1, never galois's label. A galois array must be over this very field, including the
+    modulus. Raises :class:`CoercionError`.
     """
     cls = field_class(F)
     if cls is None:
@@ -71,7 +71,7 @@ def array(F: FiniteField, values: object) -> np.ndarray:
 
 
 def of_labels(F: FiniteField, row: np.ndarray) -> np.ndarray:
-    """Return labels as an array over F, without a copy where galois takes their type."""
+    """Return labels as an array over F, without a copy if galois accepts their type."""
     cls = field_class(F)
     if cls is None:
         return objects(row, lambda n: F.from_label(int(n)))
@@ -79,7 +79,7 @@ def of_labels(F: FiniteField, row: np.ndarray) -> np.ndarray:
 
 
 def from_galois(F: FiniteField, x: galois.FieldArray) -> Coefficient:
-    """Turn a galois scalar over F into an element. Raises :class:`CoercionError`."""
+    """Convert a galois scalar over F to an element. Raises :class:`CoercionError`."""
     check_galois(F, x)
     if x.ndim:
         raise CoercionError(
@@ -89,14 +89,14 @@ def from_galois(F: FiniteField, x: galois.FieldArray) -> Coefficient:
 
 
 def scalar(F: FiniteField, x: object) -> Coefficient:
-    """Turn an entry of an array over F into an element."""
+    """Convert an entry of an array over F to an element."""
     if isinstance(x, Objects):
         return x[()]
     return from_galois(F, x) if is_galois(x) else x
 
 
 def units(F: FiniteField, values: np.ndarray) -> np.ndarray:
-    """Return a bool array: which entries are not 0."""
+    """Return a bool array that marks the nonzero entries."""
     if isinstance(values, Objects):
         return Ring.array_units(F, values)
     return np.asarray(values.view(np.ndarray) != 0)
@@ -111,7 +111,9 @@ def inverse(F: FiniteField, values: np.ndarray) -> np.ndarray:
 
 
 def conway(p: int, n: int) -> list[int] | None:
-    """Return Conway's polynomial from galois's table, low degree first; None where it has none."""
+    """Return Conway's polynomial from galois's table, low degree first; None if the table does not contain
+    it.
+    """
     try:
         return [int(c) for c in galois.conway_poly(p, n, search=False).coeffs][::-1]
     except LookupError:

@@ -1,4 +1,6 @@
-"""Which finite field a text means: the order and the modulus, read, checked and refused in words."""
+"""Find the finite field that a text names: the order and the modulus are read and checked, with messages for
+errors.
+"""
 
 from __future__ import annotations
 
@@ -27,8 +29,8 @@ MAX_DEGREE = 512
 def GF(q: object, modulus: object = None) -> FiniteField:
     """Return the field of q elements; ``modulus`` is an irreducible polynomial in x, as text.
 
-    q is an int or a text such as ``"3^2"``. Without a modulus it is Conway's. Raises
-    :class:`RingError` when q is not a prime power or the modulus does not fit.
+    q is an int or a text such as ``"3^2"``. By default the modulus is Conway's polynomial. Raises
+    :class:`RingError` if q is not a prime power or the modulus does not fit.
 
     >>> GF(9).order, GF(7)(3) ** 2
     (9, 2)
@@ -91,7 +93,7 @@ def _too_large(what: str) -> str:
 
 
 def _not_a_prime_power(q: int) -> str:
-    """Return the message that there is no field of q elements, with the nearest orders."""
+    """Return the message that no field of q elements exists, with the nearest orders."""
     expected = "a field has p^n elements, p prime"
     if q < 2:
         return f"{shorten(q, 30)} is not a prime power; {expected}, the smallest is GF(2)"

@@ -38,7 +38,7 @@ NAME = "x"
 
 
 class FiniteField(Ring):
-    """The common part of GF(p) and GF(pⁿ): arrays of galois, through its integer labels."""
+    """The common part of GF(p) and GF(pⁿ): arrays as in galois, through its integer labels."""
 
     order: int
     degree: int
@@ -51,7 +51,7 @@ class FiniteField(Ring):
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by its characteristic and degree."""
+        """The characteristic and degree of the field, as JSON data."""
         own = {"characteristic": self.characteristic, "degree": self.degree}
         return {"kind": "finite field", **own, "modulus": None}
 
@@ -64,31 +64,31 @@ class FiniteField(Ring):
         """Return the element with galois's integer label n."""
 
     def array(self, values: object) -> np.ndarray:
-        """Return an array of galois, or of flint's elements if the field is too large for galois."""
+        """Return a galois array, or an array of flint's elements if the field is too large for galois."""
         from hfield.fields.finite import galois_arrays
 
         return galois_arrays.array(self, values)
 
     def array_of_labels(self, row: np.ndarray) -> np.ndarray:
-        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        """Return an array of labels in the same form as ``array`` does, without a copy if the types agree."""
         from hfield.fields.finite import galois_arrays
 
         return galois_arrays.of_labels(self, row)
 
     def array_storage(self, constants: Constants) -> BatchStorage:
-        """Store arrays as rows of labels, unless the field is too large."""
+        """Return the storage of arrays as rows of labels, unless the field is too large."""
         from hfield.fields.base.array_storage.finite import array_storage
 
         return array_storage(self, constants)
 
     def scalar(self, x: object) -> Coefficient:
-        """Turn an entry of ``array`` back into an element."""
+        """Convert an entry of ``array`` back to an element."""
         from hfield.fields.finite import galois_arrays
 
         return galois_arrays.scalar(self, x)
 
     def array_units(self, values: np.ndarray) -> np.ndarray:
-        """Return a bool array: which entries are not 0."""
+        """Return a bool array that marks the nonzero entries."""
         from hfield.fields.finite import galois_arrays
 
         return galois_arrays.units(self, values)
@@ -112,7 +112,7 @@ class PrimeField(Modular, FiniteField):
         return shared, (type(self), self.order)
 
     def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
-        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar."""
+        """Convert an int n to n·1 and a Fraction a/b to a·b⁻¹; read a text or a galois scalar."""
         if is_galois(x):
             from hfield.fields.finite import galois_arrays
 
@@ -121,11 +121,11 @@ class PrimeField(Modular, FiniteField):
 
 
 class ExtensionField(FiniteField):
-    """GF(pⁿ), n > 1, as polynomials in x modulo an irreducible one; elements are ``fq_default``.
+    """GF(pⁿ), n > 1, as polynomials in x modulo an irreducible polynomial; elements are ``fq_default``.
 
-    ``modulus`` is its text, ``gen`` the class of x. A modulus is part of the name unless it is the
-    one that flint takes by default: Conway's, wherever it is tabulated (every order below 2³² and
-    many above), else a sparse irreducible polynomial; ``modulus_origin`` says which.
+    ``modulus`` is the modulus as text, ``gen`` the class of x. A modulus is part of the name unless it is
+    flint's default: Conway's polynomial if it is tabulated (every order below 2³² and many above), else a
+    sparse irreducible polynomial; ``modulus_origin`` says which.
     """
 
     gen_name = NAME
@@ -151,7 +151,9 @@ class ExtensionField(FiniteField):
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by its modulus; a default one that the checker has no table of is not written."""
+        """The field by its modulus, as JSON data; a default modulus that the checker has no table of is
+        omitted.
+        """
         from hfield.checker.scalars.conway import CONWAY
 
         known = not self.is_default or self.order in CONWAY
@@ -160,9 +162,9 @@ class ExtensionField(FiniteField):
 
     @property
     def modulus_origin(self) -> str:
-        """Where the modulus comes from: ``given``, ``Conway`` or ``sparse``.
+        """The origin of the modulus: ``given``, ``Conway`` or ``sparse``.
 
-        Above 2³² the tables have gaps, and galois (imported then) decides.
+        Above 2³² the tables have gaps; then galois, which is imported for this, decides.
         """
         if not self.is_default:
             return "given"
@@ -179,9 +181,9 @@ class ExtensionField(FiniteField):
         return self._gen
 
     def __call__(self, x: object) -> flint.fq_default:
-        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar.
+        """Convert an int n to n·1 and a Fraction a/b to a·b⁻¹; read a text or a galois scalar.
 
-        Raises :class:`CoercionError` for an element of another field or of another modulus.
+        Raises :class:`CoercionError` for an element of another field or with another modulus.
         """
         if is_galois(x):
             from hfield.fields.finite import galois_arrays
@@ -189,7 +191,7 @@ class ExtensionField(FiniteField):
             return galois_arrays.from_galois(self, x)
         x = unwrap(x)
         if isinstance(x, flint.fq_default):
-            # Adding is how flint tells whose element it is: an element has no public parent.
+            # Adding is the only way to find the parent of a flint element, which is not public.
             try:
                 return x + self.context.zero()
             except ValueError:
@@ -207,7 +209,7 @@ class ExtensionField(FiniteField):
         return self.context(number % self.characteristic)
 
     def closed_form(self, x: sympy.Expr) -> flint.fq_default:
-        """Raise for roots and other closed forms, of which there may be several or none."""
+        """Raise an error for roots and other closed forms: there may be several such elements, or none."""
         raise self.refuse(x, f"expected rational numbers and the generator {NAME}")
 
     def to_sympy(self, x: flint.fq_default, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
@@ -235,23 +237,23 @@ class ExtensionField(FiniteField):
         return x.inverse()
 
     def sqrt(self, x: flint.fq_default) -> flint.fq_default | None:
-        """Return some y with y² = x, or None; in characteristic 2 the only one."""
+        """Return some y with y² = x, or None; in characteristic 2, y is unique."""
         return x.sqrt() if x.is_zero() or x.is_square() else None
 
     def roots(self, coefficients: Sequence[flint.fq_default]) -> list[flint.fq_default]:
-        """Return the roots of a polynomial that is not 0."""
+        """Return the roots of a nonzero polynomial."""
         polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
         return [root for root, _ in polynomial.roots()]
 
     def irreducible_factors(
         self, coefficients: Sequence[flint.fq_default]
     ) -> list[list[flint.fq_default]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        """Return the distinct monic irreducible factors of a nonzero polynomial."""
         return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
 
     @property
     def level(self) -> Fact:
-        """1 when −1 is a square, else 2."""
+        """1 if −1 is a square, else 2."""
         return self.level_of(self.minus_one_as_squares())
 
     def minus_one_as_squares(self) -> tuple[flint.fq_default, ...]:
@@ -263,7 +265,7 @@ class ExtensionField(FiniteField):
         raise AssertionError("in a finite field −1 is a sum of two squares")
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements over a small field as labels, over a large one as polynomials."""
+        """Return the storage of elements: as labels over a small field, as polynomials over a large one."""
         if self.order < tables.BELOW:
             return tables.Labels(self, constants)
         return PolynomialStorage(self, constants)
@@ -282,7 +284,7 @@ class ExtensionField(FiniteField):
         return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
 
     def power(self, x: flint.fq_default, n: int) -> flint.fq_default:
-        """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
+        """Return xⁿ; for n < 0, x is inverted first. Exponents of any size are fast."""
         return (x if n >= 0 else self.inverse(x)) ** abs(n)
 
     def text(self, x: flint.fq_default, style: str = "plain") -> str:
@@ -306,6 +308,6 @@ class ExtensionField(FiniteField):
 
 
 def modulus_text(coefficients: list[int], style: str = "plain") -> str:
-    """Write a polynomial in x with coefficients given low degree first."""
+    """Write a polynomial in x, given by its coefficients, low degree first."""
     terms = [(str(c), [(NAME, n)]) for n, c in enumerate(coefficients) if c]
     return sum_text(reversed(terms), style)

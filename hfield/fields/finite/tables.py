@@ -23,7 +23,7 @@ Rows = list[list[int]]
 
 @dataclass(frozen=True)
 class ElementTables:
-    """The arithmetic of GF(q) on labels, the coefficients as digits in base p.
+    """The arithmetic of GF(q) on labels, whose base-p digits are the coefficients.
 
     ``times[u][v]``, ``plus[u][v]``, ``minus[u][v]``, ``negative[u]``, ``inverse[u]`` (0 for 0) are labels;
     ``elements`` maps labels to flint's elements.
@@ -57,7 +57,7 @@ def tables(field: ExtensionField) -> ElementTables:
 
 
 def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int]:
-    """Return the labels of 1, g, g², …, all of them but 0, for the first g that generates them."""
+    """Return the labels of 1, g, g², …, all nonzero elements, for the first g whose powers they are."""
     one = elements[1]
     for g in elements[2:]:
         powers, x = [1], g
@@ -95,7 +95,7 @@ class Labels(Compact[LabelTuple, "flint.fq_default"]):
         return element[w], element[x], element[y], element[z]
 
     def names(self) -> dict[str, object]:
-        """Return the tables, and the rows of the constants in the one of products."""
+        """Return the tables, and the rows of the multiplication table that belong to the constants."""
         t = self.tables
         rows = {f"T{n}": t.times[self._label(c)] for n, c in self.constants._asdict().items()}
         return rows | {
@@ -108,7 +108,7 @@ class Labels(Compact[LabelTuple, "flint.fq_default"]):
         }
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation on four labels."""
+        """Return the source text of an operation on four labels."""
         formula = "adjoint" if operation == "inverse" else operation
         program = specialise(formula, self.pattern, 2 if self.p == 2 else 0)
         outputs, last = ENDS.get(operation, ((*"wxyz",), ["return w, x, y, z"]))
@@ -120,7 +120,7 @@ class Labels(Compact[LabelTuple, "flint.fq_default"]):
         return function(operation, operands, [*rows, *body, *last])
 
     def _write(self, operation: str, operands: Sequence[str]) -> str:
-        """Write an operation on labels as a look-up; in characteristic 2 a sum is an exclusive or."""
+        """Return an operation on labels as a table look-up; in characteristic 2 a sum is an exclusive or."""
         if operation == "neg":
             return f"opposite[{operands[0]}]"
         left, right = operands
@@ -153,7 +153,8 @@ INVERTED = [
     "row = T[inverse_of[s]]",
     "return row[w], row[x], row[y], row[z]",
 ]
-# Where an operation does not return four labels: what its outputs are called, and what is done to them.
+# For operations that do not return four labels: the names of their outputs, and the code that
+# follows.
 ENDS = {
     "norm": (("s",), ["return element[s]"]),
     "trace": (("s",), ["return element[s]"]),

@@ -1,4 +1,6 @@
-"""Fields of rational functions k(t) as global fields, and ℚ(x), which is none but has residues."""
+"""Fields of rational functions k(t) as global fields; also ℚ(x), which is not a global field but has
+residues.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +57,7 @@ if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Polynomial
 
 
-POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
+POINTS, FEW = 400, 5  # values tried for a specialisation; those for which all primes are found
 PRIMES_TRIED = list(primes(1_000))
 
 Evidence = Mapping[str, object]
@@ -68,7 +70,7 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
 
     @classmethod
     def of(cls, ring: Ring) -> FunctionArithmetic:
-        """Return the arithmetic of k(t) by the field of constants k."""
+        """Return the arithmetic of k(t) for its field of constants k."""
         assert isinstance(ring, FunctionField)
         if ring.base.order is None:
             return OverRationals(ring)
@@ -81,7 +83,9 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
-        """Return the symbol by a residue; in characteristic 2 that of [a, b | F), where a may be 0."""
+        """Return the symbol, computed as a residue; in characteristic 2 the symbol of [a, b | F), where a may
+        be 0.
+        """
         field = self.ring
         x, y = self._nonzero(a, b)
         v = self.read_place(place)
@@ -93,7 +97,7 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
         return symbol(self.ring, form, v)
 
     def ramified(self, form: NormalForm) -> tuple[FunctionPlace, ...]:
-        """Return the places with a residue that is not trivial, by degree, infinity last."""
+        """Return the places with a nontrivial residue, by degree, infinity last."""
         return ramified_places_functions(self.ring, form)
 
     def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> RationalFunction:
@@ -103,13 +107,13 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
     def with_ramification(
         self, places: Sequence[FunctionPlace | str], infinite: bool | None = None
     ) -> tuple[Scalar, ...]:
-        """Return (a, b, t) over a finite field of constants, t = 1 in characteristic 2."""
+        """Return (a, b, t) for a finite field of constants; t = 1 in characteristic 2."""
         if infinite is not None or self.ring.base.order is None:
             return super().with_ramification(places, infinite)
         return from_ramification_functions(self.ring, places)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return a point of the conic, found by minimising it at all places."""
+        """Return a point of the conic, found by minimising the conic at all places."""
         w, x, y = solve_conic_functions(self.ring, c)
         reason = "no place is ramified, and this is a zero divisor"
         return found(self.ring, c, (w, x, y, self.ring.zero), "conic", reason)
@@ -121,7 +125,9 @@ class FunctionArithmetic(GlobalField[RationalFunction, FunctionPlace]):
     def residue_forms(
         self, form: Sequence[RationalFunction]
     ) -> Iterator[tuple[object, Ring, Sequence[Scalar], Sequence[Scalar]]]:
-        """Yield infinity and the prime divisors of the coefficients, over QQ or where they are linear."""
+        """Yield infinity and the prime divisors of the coefficients; over a finite k, only those of
+        degree 1.
+        """
         F = self.ring
         polynomials = (p for c in form for p in (c.num, c.den))
         for place in (FunctionPlace(F), *prime_divisors(F, polynomials)):
@@ -146,13 +152,13 @@ class OverOdd(FunctionArithmetic):
     """The arithmetic of GF(q)(t), q odd: slots are built from local classes."""
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by a common slot and three conics."""
+        """Return I and J, by a common slot and three conics."""
         e = common_slot_functions(self.ring, outer, [outer.a, inner.a])
         assert e is not None, "isomorphic algebras have a common slot"
         return through_slot(self.ring, outer, inner, e, self._conic_point)
 
     def traceless_root(self, form: NormalForm, s: RationalFunction) -> Coordinates | None:
-        """Return x from a common slot of (a, b) for a and s, which exists if x does."""
+        """Return x, from a common slot of (a, b) for a and s, which exists if x does."""
         c = Constants(form.a, self.ring.zero, form.b)
         e = common_slot_functions(self.ring, c, [c.a, s])
         return None if e is None else generator_by_slot(self.ring, s, c, e, self._conic_point)[0]
@@ -167,17 +173,17 @@ class OverEven(FunctionArithmetic):
     """The arithmetic of GF(q)(t), q even: every algebra contains all inseparable square roots."""
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by a square root of b and one conic."""
+        """Return I and J, by a square root of b and one conic."""
         return embed_even(self.ring, outer, inner)
 
     def square_parts(self, x: RationalFunction) -> tuple[RationalFunction, RationalFunction]:
-        """Return the even and the odd part of x, each under its root."""
+        """Return u and v with x = u² + g·v², the square roots of the even and the odd part of x."""
         return square_parts(self.ring, x)
 
     def as_norm(
         self, x: RationalFunction, s: RationalFunction
     ) -> tuple[RationalFunction, RationalFunction]:
-        """Return w and r by comparing parts."""
+        """Return w and r with x = w² + s·r², by comparing even and odd parts."""
         return as_norm(self.ring, x, s)
 
     def artin_schreier(self, x: RationalFunction) -> RationalFunction | None:
@@ -185,7 +191,7 @@ class OverEven(FunctionArithmetic):
         return artin_schreier(self.ring, x)
 
     def has_root_at(self, place: FunctionPlace, t: RationalFunction, n: RationalFunction) -> bool:
-        """Return whether x² − t·x + n has a root in the completion; x² + n has one in every division
+        """Return whether x² − t·x + n has a root in the completion; x² + n has a root in every division
         algebra.
         """
         return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
@@ -197,7 +203,7 @@ class OverEven(FunctionArithmetic):
 
 
 class OverRationals(FunctionArithmetic):
-    """The arithmetic of ℚ(x): residues decide up to an algebra over ℚ (Faddeev's exact sequence)."""
+    """The arithmetic of ℚ(x): residues determine an algebra up to one over ℚ (Faddeev's exact sequence)."""
 
     splits_if_unramified = False
 
@@ -207,7 +213,9 @@ class OverRationals(FunctionArithmetic):
         )
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return a point of the conic, or the places where a value of the algebra ramifies over ℚ."""
+        """Return a point of the conic, or the places of ℚ at which a specialisation of the algebra
+        ramifies.
+        """
         try:
             return super().unramified_zero(c, form)
         except RamifiedError as error:
@@ -229,27 +237,29 @@ class OverRationals(FunctionArithmetic):
         return same_class_rational_functions(self.ring, form, other)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by a common slot that is searched for."""
+        """Return I and J, by a search for a common slot."""
         e = searched_slot(self.ring, outer, inner, self.same_class)
         return through_slot(self.ring, outer, inner, e, functools.partial(conic_point, self.ring))
 
     def traceless_root(self, form: NormalForm, s: RationalFunction) -> Coordinates | None:
-        """Return x where a rational point of the line does not forbid it and one is found."""
+        """Return x if no rational point of the line excludes it and the search finds it."""
         found = traceless_root_functions(self.ring, form, s)
         return None if found is None else (self.ring.zero, *found)
 
     def obstruction(
         self, form: NormalForm, t: RationalFunction, n: RationalFunction
     ) -> FunctionPlace | None:
-        """Return a place where the residue is not taken away, or a rational one where a form has no zero."""
+        """Return a place at which the residue is not removed, or a rational place at which a form has no
+        zero.
+        """
         return _obstruction(self.ring, form, _squarefree(self.ring, t * t / 4 - n)[1])
 
 
 def specialised_evidence(c: Constants) -> Iterator[Evidence]:
     """Yield values of the variable at which an algebra over ℚ(x) becomes a division algebra over ℚ.
 
-    There are infinitely many if it is one itself: ℚ is Brauer–Hilbertian (Fein, Saltman and Schacher, *Trans.
-    Amer. Math. Soc.* 334 (1992)). At most of them a small prime is ramified.
+    If the algebra is itself a division algebra, there are infinitely many: ℚ is Brauer–Hilbertian (Fein,
+    Saltman and Schacher, *Trans. Amer. Math. Soc.* 334 (1992)). For most of them a small prime is ramified.
     """
     for n in range(POINTS):
         point = QQ((n + 1) // 2 * (-1) ** n)
@@ -264,7 +274,9 @@ def specialised_evidence(c: Constants) -> Iterator[Evidence]:
 
 
 def _rational(c: Constants, every: bool) -> Evidence | None:
-    """Return evidence over ℚ; from small primes alone, or from ``every`` prime if these can be found."""
+    """Return evidence over ℚ from small primes alone or, with ``every``, from all primes if these can be
+    found.
+    """
     form = normal_form(QQ, c)
     if form.a < 0 and form.b < 0:
         return {"by": "ordering"}

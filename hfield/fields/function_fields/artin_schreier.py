@@ -1,10 +1,11 @@
-"""Characteristic 2 over k(t), k finite: square roots, y² + y = m, and both in algebras [a, b).
+"""Characteristic 2 over k(t), k finite: square roots, solutions of y² + y = m, and both in algebras [a, b).
 
-Since k is perfect, every s in k(t) is ``w² + b·r²``, for any b that is not a square. So every algebra [a, b)
-with such a b contains a square root ``w + r·j`` of trace 0 of s.
+Since k is perfect, every s in k(t) is ``w² + b·r²`` for any b that is not a square. So every algebra [a, b)
+with such a b contains a square root ``w + r·j`` of s, of trace 0.
 
-An element w + i + y·j + z·k of trace 1 has the norm w² + w + a + s, s = b·N(y + z·i). So s is sought for
-which the conic w² + wx + (a + m)·x² = s·z² has a point: for which [a + m, s) is nowhere ramified.
+An element w + i + y·j + z·k of trace 1 has the norm w² + w + a + s with s = b·N(y + z·i). So s is chosen such
+that the conic w² + wx + (a + m)·x² = s·z² has a point, that is, such that [a + m, s) is unramified
+everywhere.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ TRIALS = 3_000
 
 
 def has_solution_at(at: FunctionResidues, m: RationalFunction) -> bool:
-    """Return whether y² + y = m has a solution in the completion, by removing poles one after the other."""
+    """Return whether y² + y = m has a solution in the completion, by removing poles one after another."""
     while m.num != 0 and (order := at.valuation(m)) <= 0:
         lead = at.reduce(m * at.uniformiser**-order)
         if order == 0:
@@ -43,7 +44,7 @@ def has_solution_at(at: FunctionResidues, m: RationalFunction) -> bool:
 
 
 def of_trace_one(field: FunctionField, form: NormalForm, m: RationalFunction) -> Coordinates:
-    """Return x in the basis of the division algebra [a, b) with x² + x = m, where no place forbids it."""
+    """Return x in the basis of the division algebra [a, b) with x² + x = m, unless a place excludes it."""
     a, b = form.constants
     algebra, rest = Constants(a, field.one, b), a + m
     y = artin_schreier(field, rest)
@@ -85,8 +86,9 @@ def embed_even(
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the division algebra ``inner`` with ``I² = a + I, J² = b, JI = (1 + I)J``.
 
-    J is a square root of b; i is corrected by a multiple of k until it is right with J, and by u + v·J,
-    which commutes with J, until its norm is right: that is a conic.
+    J is a square root of b. The element i is corrected first by a multiple of k, so that it satisfies the
+    relation with J, and then by u + v·J, which commutes with J, so that its norm is right; the latter
+    requires solving a conic.
     """
     w, s = as_norm(field, outer.b, inner.b)
     big_j = w, field.zero, s, field.zero
@@ -102,7 +104,9 @@ def embed_even(
 def square_parts(
     field: FunctionField, x: RationalFunction
 ) -> tuple[RationalFunction, RationalFunction]:
-    """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
+    """Return ``(u, v)`` with ``x = u² + g·v²``, where g is the variable, over a finite field of
+    characteristic 2.
+    """
     whole = x.num * x.den
     parts = []
     for start in (0, 1):
@@ -126,8 +130,8 @@ def as_norm(
 def artin_schreier(field: FunctionField, x: RationalFunction) -> RationalFunction | None:
     """Return y with ``y² + y = x``, or None.
 
-    The denominator has to be a square d², and y = m/d with ``m² + m·d = n``; the terms of m follow from the
-    leading terms of n, from the top down.
+    The denominator must be a square d², and y = m/d with ``m² + m·d = n``; the terms of m are determined by
+    the leading terms of n, from the highest degree downwards.
     """
     root = field.sqrt(field.quotient(x.den, field.one.num))
     if root is None:

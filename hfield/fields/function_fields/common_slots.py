@@ -1,10 +1,10 @@
-"""Common slots over GF(q)(t), q odd, and ℚ(x): an e such that all (x, e) ramify only at given places.
+"""Common slots over GF(q)(t), q odd, and over ℚ(x): an e such that all (x, e) ramify only at given places.
 
-Over GF(q) it is built, as over number fields, from local classes, by weak approximation and one new
-prime. It is divisible by the primes that have to divide it, and cofactors are tried that are squares
-or not, as they should be, at every prime that matters: by chance at the few of highest degree, by the
-Chinese remainder theorem at the others. At new primes the symbols have to be 1; if there is only one
-new prime they are, by the product formula.
+Over GF(q), as over number fields, e is built from local classes by weak approximation with one new prime. It
+is divisible by the primes that must divide it. Cofactors are tried until they are a square or a non-square,
+as required, at every relevant prime: at the few of highest degree by chance, at the others by the Chinese
+remainder theorem. At new primes the symbols must be 1; if there is only one new prime, they are 1 by the
+product formula.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ def common_slot_functions(
 ) -> RationalFunction | None:
     """Return an e with (x, e) isomorphic to the given algebra for each of the numbers x, or None.
 
-    None is a proof that there is no such e: at some place no class has the symbols asked for. The numbers
-    are not 0, and the algebra is not degenerate. Raises :class:`UndecidedError` by bad luck.
+    None is a proof that there is no such e: at some place no class has the required symbols. The numbers are
+    not 0, and the algebra is nondegenerate. Raises :class:`UndecidedError` if the random search fails.
     """
     ramified = ramified_places_functions(field, normal_form(field, c))
     reduced, primes = _square_classes(field, numbers)
@@ -94,7 +94,7 @@ def _square_classes(
 
 
 def _local_class(v: FunctionPlace, fits: Fits) -> _Local | None:
-    """Return one of the four classes at a prime that has the right symbols, a unit if possible."""
+    """Return one of the four classes at a prime that has the required symbols, a unit if possible."""
     kappa = residues_at(v)
     for power in (0, 1):
         for square in (True, False):
@@ -105,7 +105,7 @@ def _local_class(v: FunctionPlace, fits: Fits) -> _Local | None:
 
 
 def _unit(kappa: ResidueField, square: bool, rng: random.Random) -> Polynomial:
-    """Return a random nonzero square of the residue field, or a random element that is none."""
+    """Return a random nonzero square of the residue field, or a random non-square."""
     while True:
         x = kappa.random(rng)
         if x != 0 and (square or not kappa.is_square(x)):
@@ -113,7 +113,9 @@ def _unit(kappa: ResidueField, square: bool, rng: random.Random) -> Polynomial:
 
 
 def _classes_at_infinity(field: FunctionField, fits: Fits) -> set[tuple[int, bool]]:
-    """Return which degrees modulo 2 go with leading coefficients that are squares, or are not."""
+    """Return which parities of the degree fit a leading coefficient that is a square, and which fit a
+    non-square.
+    """
     kappa = FunctionResidues(field, field.gen.num)
     good = set()
     for parity in (0, 1):
@@ -130,7 +132,7 @@ def _search(
     places: list[_Local],
     infinite: set[tuple[int, bool]],
 ) -> RationalFunction:
-    """Try cofactors u of increasing degree until ``u·∏ π^valuation`` is right at all places."""
+    """Try cofactors u of increasing degree until ``u·∏ π^valuation`` fits at all places."""
     rng = random.Random(1)
     divisor = field.one.num
     for v in places:
@@ -173,7 +175,9 @@ def _remainder(
 
 
 def _fits_at_new_primes(field: FunctionField, numbers: list[Polynomial], u: Polynomial) -> bool:
-    """Return whether the numbers, units there, are squares at all primes that divide u to odd order."""
+    """Return whether the numbers are squares at all primes that divide u to odd order; they are
+    units there.
+    """
     for p, exponent in u.factor()[1]:
         if exponent % 2:
             kappa = ResidueField(field, field.quotient(field.one.num, p).den)
@@ -191,7 +195,9 @@ def searched_slot(
     inner: Constants[RationalFunction],
     same_class: SameClass,
 ) -> RationalFunction:
-    """Return a common slot of two isomorphic algebras: tried until (a, e) = (a, b) holds, too."""
+    """Return a common slot of two isomorphic algebras, found by search: candidates e are tried until (a, e) =
+    (a, b) also holds.
+    """
     for m, n in itertools.islice(_small_pairs(ring), SEARCHED):
         for first, second in ((inner, outer), (outer, inner)):
             e = first.b * (m * m - first.a * (n * n))

@@ -1,9 +1,9 @@
 """Conics over k(t): minimise at every place, reduce at infinity, solve over k.
 
-A form minimised everywhere lives on a vector bundle of rank 3 over the projective line without bad places.
-Such a bundle is a sum of line bundles: either some vector has too small a degree for the form to be
-anything but 0 there, or the form has constant coefficients. (For odd characteristic compare Cremona and
-van Hoeij, "Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
+A form that is minimal everywhere lives on a vector bundle of rank 3 over the projective line without bad
+places. Such a bundle is a sum of line bundles. Therefore either some vector has such a small degree that the
+form is 0 on it, or the form has constant coefficients. (For odd characteristic compare Cremona and van Hoeij,
+"Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ def solve_conic_functions(
 ) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
     """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
 
-    Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) they may be the places of ℚ
-    where a constant conic has no point.
+    Raises :class:`RamifiedError` with a place if there is none; over ℚ(x) they may be the places of ℚ where a
+    constant conic has no point.
     """
     form = norm_form(field, c)
     conic = Conic(form, field.zero, field.one)
@@ -76,7 +76,7 @@ def solve_conic_functions(
 
 
 def _at_infinity(field: FunctionField, conic: Conic) -> list[Vector]:
-    """Return a basis of a good lattice at infinity."""
+    """Return a basis of a lattice at infinity on which the form is minimal."""
     lattice, place = conic.start(), FunctionPlace(field)
     if not minimise(conic, lattice, residues_at(place)):
         raise RamifiedError(place)
@@ -145,7 +145,7 @@ def _constant_zero(
     base = field.base
     a, b, c, r, s, t = (base(f.num[0]) for f in form)
     kappa = ResidueField(field, field.gen.num)
-    # on the line through (0, 0, 1) and (1, x, 0): about every other one carries a zero
+    # on the line through (0, 0, 1) and (1, x, 0): about half of these lines contain a zero
     for x in base.elements():
         p = a + b * (x * x) + t * x
         q = s + r * x
@@ -159,10 +159,10 @@ def _constant_zero(
 def _specialised_zero(
     field: FunctionField, form: Form, basis: list[Vector]
 ) -> list[RationalFunction]:
-    """Return coefficients in ℚ of a zero on a basis on which the form is constant, up to its scale.
+    """Return coefficients in ℚ of a zero in a basis in which the form is constant up to scale.
 
-    The form is the same at every point of the line, so a zero of it at a point with small values,
-    where it is easy to find, is one everywhere. Raises :class:`RamifiedError` when there is none.
+    The form is the same at every point of the line. So a zero at a point with small values, where it is easy
+    to find, is a zero everywhere. Raises :class:`RamifiedError` if there is none.
     """
     for n in itertools.count():
         point = field.base((n + 1) // 2 * (-1) ** n)
@@ -182,7 +182,7 @@ def _specialised_zero(
 
 
 def _rational_zero(form: Form) -> list[Fraction]:
-    """Return a rational zero of a nondegenerate form, or raise :class:`RamifiedError`."""
+    """Return a rational zero of a nondegenerate form. Raises :class:`RamifiedError` if there is none."""
     a, b, c, r, s, t = form
     gram = [[a, t / 2, s / 2], [t / 2, b, r / 2], [s / 2, r / 2, c]]
     (p, q, n), rows = diagonalise(gram)
@@ -196,5 +196,5 @@ def _rational_zero(form: Form) -> list[Fraction]:
 
 
 def _at(x: RationalFunction, point: flint.fmpq) -> flint.fmpq:
-    """Return the value of a rational function at a point where its denominator is not 0."""
+    """Return the value of a rational function at a point that is not a pole."""
     return x.num(point) / x.den(point)

@@ -37,7 +37,7 @@ MAX_DEGREE = 20
 
 
 class ExtensionElement(Element):
-    """An element Σ cₙ·uⁿ of F[u]/(f), with deg f coefficients in F. Immutable."""
+    """An immutable element Σ cₙ·uⁿ of F[u]/(f), with deg f coefficients in F."""
 
     __slots__ = ("coefficients",)
 
@@ -90,7 +90,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
     @property
     def expanded_in(self) -> tuple[str, ...]:
-        """The variables of k(x, y, …), if the root is one of a polynomial over k."""
+        """The variables of k(x, y, …), if the root belongs to a polynomial over k."""
         if not isinstance(self.base, RationalFunctions):
             return ()
         c = self.modulus_coefficients
@@ -98,12 +98,14 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return self.base.variables if constant else ()
 
     def parts(self, x: ExtensionElement) -> list[RationalFunction]:
-        """Return the coefficients of x that are not 0."""
+        """Return the nonzero coefficients of x."""
         return [c for c in x.coefficients if c.num != 0]
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by the one below, the polynomial, low degree first, and the name of the root."""
+        """The field by the field below, the polynomial (low degree first) and the name of the root, as JSON
+        data.
+        """
         modulus = [self.base.text(c) for c in self.modulus_coefficients]
         own = {"modulus": modulus, "variable": self.gen_name}
         return {"kind": "extension", "base": self.base.data, **own}
@@ -137,7 +139,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return ExtensionElement(self, [*out, *[self.base.zero] * (n - len(out))])
 
     def from_below(self, x: object) -> ExtensionElement:
-        """Turn a number or an element of F into an element. Raises :class:`CoercionError`."""
+        """Convert a number or an element of F to an element. Raises :class:`CoercionError`."""
         return self._constant(self.base(x))
 
     def is_zero(self, x: ExtensionElement) -> bool:
@@ -166,7 +168,9 @@ class SimpleExtension(Overfield[ExtensionElement]):
     def _over_common_denominator(
         self, fractions: Sequence[RationalFunction]
     ) -> tuple[list[AnyPolynomial], AnyPolynomial]:
-        """Return the numerators of fractions over a common denominator, without zeros at the end, and it."""
+        """Return the numerators of fractions over a common denominator, without zeros at the end, and the
+        denominator.
+        """
         den = self.base.one.num
         for c in fractions:
             den = den * (c.den // den.gcd(c.den))
@@ -187,7 +191,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         )
 
     def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
-        """Return a root of an element of F that has one there. Raises :class:`UndecidedError` for others."""
+        """Return a root of an element of F that has one in F. Raises :class:`UndecidedError` for others."""
         if all(map(self.base.is_zero, x.coefficients[1:])):
             root = self.base.sqrt(x.coefficients[0])
             if root is not None:
@@ -211,7 +215,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
     @property
     def values_ring(self) -> Ring | None:
-        """The ring of constants of the field below, where u is none."""
+        """The ring of constants of the field below, if u is not a constant."""
         return self.base.values_ring if self._modulus_variables else None
 
     def evaluation(
@@ -253,7 +257,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return outer - inner * moved * self.inverse(slope)
 
     def variables_in(self, x: ExtensionElement) -> set[str]:
-        """Return the variables in the coefficients, and u where it occurs and is no constant."""
+        """Return the variables in the coefficients, and u if it occurs and is not a constant."""
         found = set().union(*map(self.base.variables_in, x.coefficients))
         alone = all(map(self.base.is_zero, x.coefficients[1:]))
         return found if alone else found | ({str(self.gen_name)} & {*self.variables})
@@ -281,10 +285,10 @@ class SimpleExtension(Overfield[ExtensionElement]):
 def _inverse_modulo(
     f: list[AnyPolynomial], g: list[AnyPolynomial], one: AnyPolynomial
 ) -> tuple[list[AnyPolynomial], AnyPolynomial]:
-    """Return v and a constant c ≠ 0 with v·g = c modulo f, of polynomials f and g without common factors.
+    """For coprime polynomials f and g, return v and a constant c ≠ 0 with v·g = c modulo f.
 
-    All coefficients are polynomials over a field, low degree in u first, and stay so: by subresultants all
-    divisions are exact (G. E. Collins, J. ACM 14, 1967), and no fraction is reduced.
+    All coefficients are polynomials over a field, low degree in u first, and stay polynomials: with
+    subresultants all divisions are exact (G. E. Collins, J. ACM 14, 1967), and no fraction is reduced.
     """
     zero = one - one
     u, v = [zero] * len(f), [one] + [zero] * (len(f) - 1)  # g = v·(the given g) modulo f throughout
@@ -310,7 +314,7 @@ def _pseudo_reduced(
     b: AnyPolynomial,
     shift: int,
 ) -> list[AnyPolynomial]:
-    """Return a·f − b·uⁿ·g, n being the shift, in as many coefficients as f has."""
+    """Return a·f − b·uⁿ·g, where n is the shift, with as many coefficients as f has."""
     out = [a * c for c in f]
     for n, c in enumerate(g[: len(f) - shift], shift):
         out[n] = out[n] - b * c
@@ -318,13 +322,13 @@ def _pseudo_reduced(
 
 
 def _without_zeros(f: list[AnyPolynomial]) -> list[AnyPolynomial]:
-    """Return the coefficients up to the last that is not 0."""
+    """Return the coefficients up to the last nonzero one."""
     size = next((n for n in range(len(f), 0, -1) if f[n - 1] != 0), 0)
     return f[:size]
 
 
 def build(base: Ring, variable: str, text: str) -> SimpleExtension:
-    """Return F[u]/(f) for the text of an irreducible f. Raises :class:`RingError` for any other."""
+    """Return F[u]/(f) for the text of an irreducible f. Raises :class:`RingError` if f is not irreducible."""
     what = f"{base}[{variable}]/({shorten(text)})"
     if not isinstance(base, (FunctionField, RationalFunctions)):
         raise RingError(
@@ -391,7 +395,7 @@ def _check_irreducible(
 def _factors(
     base: FractionField, variable: str, f: list[RationalFunction]
 ) -> list[tuple[SparsePolynomial, int]]:
-    """Return the factors that contain the variable, of f times its denominators, by Gauss's lemma."""
+    """Return those factors of f times its denominators that contain the variable, by Gauss's lemma."""
     several = isinstance(base, RationalFunctions)
     names = base.variables if several else (base.gen_name,)
     R = build_polynomials(base.base, (*names, variable))

@@ -1,11 +1,11 @@
 """Algebras over GF(q)(t), q odd or even, that ramify exactly at given places.
 
 Let D be the product of the polynomials among the places. For odd q the algebra is (a, b) with b = D or ε·D
-for a constant ε that is not a square. Where all these polynomials have odd degree, a = ε is right. Else it is
-c·ℓ for a constant c and an irreducible ℓ of odd degree that is not a square modulo any factor of D: off ℓ the
-symbols are right, and those at ℓ and at infinity are for one of the two b. Dirichlet's theorem provides ℓ,
-and reciprocity does the rest. In characteristic 2 the algebra is [a, D) with a polynomial a of trace 1 modulo
-every factor of D.
+for a constant ε that is not a square. If all these polynomials have odd degree, a = ε works. Otherwise a =
+c·ℓ for a constant c and an irreducible ℓ of odd degree that is not a square modulo any factor of D. Outside ℓ
+and infinity all symbols are then right, and at ℓ and infinity they are right for one of the two b.
+Dirichlet's theorem provides ℓ; the rest follows from reciprocity. In characteristic 2 the algebra is [a, D)
+with a polynomial a of trace 1 modulo every factor of D.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ TRIALS = 100_000
 def from_ramification_functions(
     field: FunctionField, named: Sequence[object]
 ) -> tuple[RationalFunction, RationalFunction, RationalFunction]:
-    """Return (a, b, t) of an algebra that ramifies exactly at the places named, t = 1 in characteristic 2.
+    """Return (a, b, t) of an algebra that ramifies exactly at the given places; t = 1 in characteristic 2.
 
-    Raises :class:`RingError` unless they are different and even in number, and :class:`UndecidedError` where
-    no constants were found.
+    Raises :class:`RingError` unless they are distinct and even in number, and :class:`UndecidedError` if no
+    constants were found.
     """
     places = [place_of_functions(field, v) for v in named]
     if len(set(places)) < len(places):
@@ -72,13 +72,15 @@ def from_ramification_functions(
 
 
 def _nonsquare(field: FunctionField) -> RationalFunction:
-    """Return a constant that is not a square, q being odd."""
+    """Return a constant that is not a square; q is odd."""
     k = field.base
     return field.constant(next(c for c in k.elements() if k.sqrt(c) is None))
 
 
 def _candidates(field: FunctionField) -> Iterator[RationalFunction]:
-    """Yield some constants, of which one is right if a constant is, and all polynomials by degree."""
+    """Yield some constants, at least one of which works if any constant does, and all polynomials
+    by degree.
+    """
     k = field.base
     assert isinstance(k, FiniteField)
     if field.characteristic == 2:  # one element of a basis over GF(2) has trace 1

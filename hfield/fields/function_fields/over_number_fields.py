@@ -1,4 +1,6 @@
-"""K(x, …), K[x, …], K(cos(t), sin(t), …) over a number field K = ℚ(θ): sums Σ cₙ·θⁿ, the cₙ without θ."""
+"""K(x, …), K[x, …], K(cos(t), sin(t), …) over a number field K = ℚ(θ): sums Σ cₙ·θⁿ in which the cₙ do not
+contain θ.
+"""
 
 from __future__ import annotations
 
@@ -46,7 +48,7 @@ class OverNumberField(SimpleExtension):
 
     @property
     def data(self) -> dict[str, object]:
-        """The data of the ring over ℚ, with the number field in the place of ℚ."""
+        """The data of the ring over ℚ, with ℚ replaced by the number field."""
         assert self.base.data is not None
         return {**self.base.data, "base": self._field.data}
 
@@ -67,12 +69,12 @@ class OverNumberField(SimpleExtension):
 
     @property
     def fractions(self) -> Ring | None:
-        """The rational functions over the number field, of polynomials in one variable."""
+        """The rational functions over the number field, for polynomials in one variable."""
         below = None if self.is_field else self.base.fractions
         return None if below is None else shared(OverNumberField, below, self._field)
 
     def as_constant(self, x: ExtensionElement) -> FieldElement | None:
-        """Return the element of the number field that x is, or None."""
+        """Return x as an element of the number field, or None if it is not constant."""
         found = [self.base.as_constant(c) for c in x.coefficients]
         return None if None in found else self._field.of_coefficients(found)
 
@@ -81,7 +83,7 @@ class OverNumberField(SimpleExtension):
         return ExtensionElement(self, [self.base(x) for x in self._field.coefficients_of(c)])
 
     def from_below(self, x: object) -> ExtensionElement:
-        """Turn a number, or an element without θ, into an element. Raises :class:`CoercionError`."""
+        """Convert a number, or an element without θ, to an element. Raises :class:`CoercionError`."""
         try:
             return self.constant(self._field(x))
         except CoercionError:
@@ -93,12 +95,12 @@ class OverNumberField(SimpleExtension):
         return below | {name: self.constant(x) for name, x in self._field.names().items()}
 
     def generators(self) -> dict[str, ExtensionElement]:
-        """Return the variables, and generators of the number field that are no numbers."""
+        """Return the variables, and those generators of the number field that are not numbers."""
         below = {name: self.reduced([x]) for name, x in self.base.generators().items()}
         return below | {name: self.constant(x) for name, x in self._field.generators().items()}
 
     def functions(self) -> dict[str, Callable[..., ExtensionElement]]:
-        """The functions of the number field, of constants."""
+        """The functions of the number field, applied to constants."""
         own = {name: self._of_constants(name, f) for name, f in self._field.functions().items()}
         return super().functions() | own
 
@@ -150,8 +152,8 @@ class OverNumberField(SimpleExtension):
     def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
         """Return some y with y² = x, or None.
 
-        In several variables only of a constant, and of an element without θ that has one there; others raise
-        :class:`UndecidedError`.
+        In several variables this is supported only for constants and for elements without θ that have such a
+        root without θ; others raise :class:`UndecidedError`.
         """
         c = self.as_constant(x)
         if c is None and not isinstance(self.base, FunctionField):
@@ -161,7 +163,9 @@ class OverNumberField(SimpleExtension):
         return None if number is None or root is None else self.constant(number) * root
 
     def leading_and_root(self, x: ExtensionElement) -> tuple[FieldElement, ExtensionElement | None]:
-        """Return c in K and y with x = c·y² for functions in one variable; None for y where there is none."""
+        """Return c in K and some y with x = c·y² for functions in one variable; y is None if there
+        is none.
+        """
         base = self.base
         assert isinstance(base, FunctionField), "the functions have one variable"
         below = base.one.num
@@ -193,7 +197,7 @@ class OverNumberField(SimpleExtension):
         return self.base.variable_names
 
     def images_of(self, values: Mapping[str, object], target: Ring[S]) -> dict[str, S]:
-        """Return what the variables become."""
+        """Return the images of the variables."""
         return self.base.images_of(values, target)
 
     def evaluation(
@@ -221,7 +225,9 @@ class OverNumberField(SimpleExtension):
         return set().union(*map(self.base.variables_in, x.coefficients))
 
     def _in_monomials(self, x: ExtensionElement) -> list[tuple[ElementBelow, Sequence[int]]]:
-        """Return the coefficients of products of powers of the numbers that name K, and the exponents."""
+        """Return the coefficients of x in products of powers of the numbers that generate K in its name, and
+        the exponents.
+        """
         rows, exponents = self._field.monomials()
         found: list[tuple[ElementBelow, Sequence[int]]] = []
         for column, powers in enumerate(exponents):
@@ -234,7 +240,7 @@ class OverNumberField(SimpleExtension):
         return found
 
     def text(self, x: ExtensionElement, style: str = "plain") -> str:
-        """Write x in the numbers that name K, with functions as coefficients."""
+        """Write x in terms of the numbers in the name of K, with functions as coefficients."""
         shown = self._field.number_texts(style)
         terms = (
             (self.base.text(c, style), list(zip(shown, powers, strict=True)))
@@ -259,7 +265,7 @@ class OverNumberField(SimpleExtension):
         )
 
     def divide(self, x: ExtensionElement, y: ExtensionElement) -> ExtensionElement:
-        """Return x/y; of polynomials, where y divides x. Raises :class:`NotInvertibleError`."""
+        """Return x/y; for polynomials, only if y divides x. Raises :class:`NotInvertibleError`."""
         if self.is_field or self.as_constant(y) is not None:
             return x * self.inverse(y)
         raise NotInvertibleError(

@@ -1,4 +1,4 @@
-"""The places of k(t), monic irreducible polynomials and infinity, listed and read."""
+"""The places of k(t): monic irreducible polynomials and infinity, listed and read."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class FunctionPlace:
     """A place of k(t): a monic irreducible polynomial, or infinity (``poly`` is None).
 
-    The text is that of the polynomial, or ``"inf"``, and reads back with :func:`place_of_functions`.
+    Its text is the polynomial, or ``"inf"``; :func:`place_of_functions` reads it back.
     """
 
     field: FunctionField

@@ -1,4 +1,4 @@
-"""Rational functions, a numerator over a denominator, both polynomials of flint, and their fields."""
+"""Rational functions as quotients of two flint polynomials, and their fields."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class RationalFunction(Element):
             if self.field.is_one(self.den):
                 return RationalFunction(self.field, self.num + other.num, self.den)
             return self.quotient(self.num + other.num, self.den)
-        # What can cancel divides what the denominators have in common (Henrici, J. ACM 3, 1956).
+        # A common factor divides the common divisor of the denominators (Henrici, J. ACM 3, 1956).
         common = self.den.gcd(other.den)
         if self.field.is_one(common):
             num = self.num * other.den + other.num * self.den
@@ -63,7 +63,7 @@ class RationalFunction(Element):
     def _cancelled(
         self, num: AnyPolynomial, den: AnyPolynomial
     ) -> tuple[AnyPolynomial, AnyPolynomial]:
-        """Return num and den, which is monic, without what they have in common."""
+        """Return num and den, where den is monic, without their common factor."""
         if self.field.is_one(den):
             return num, den
         common = num.gcd(den)
@@ -88,7 +88,7 @@ class RationalFunction(Element):
 
 
 def _terms(x: AnyPolynomial) -> dict[tuple[int, ...], Coefficient]:
-    """Return the coefficients of a polynomial of flint, in one variable or several, by exponents."""
+    """Return the coefficients of a flint polynomial, in one variable or several, by exponents."""
     if hasattr(x, "to_dict"):
         found: dict[tuple[int, ...], Coefficient] = x.to_dict()
         return found
@@ -96,7 +96,9 @@ def _terms(x: AnyPolynomial) -> dict[tuple[int, ...], Coefficient]:
 
 
 class FractionField(Overfield[RationalFunction]):
-    """The fractions of polynomials over ``base``, in one variable or several; ``_one`` is their 1."""
+    """The fractions of polynomials over ``base``, in one variable or several; ``_one`` is the
+    polynomial 1.
+    """
 
     base: Ring
     variables: tuple[str, ...]
@@ -130,16 +132,16 @@ class FractionField(Overfield[RationalFunction]):
         return self.quotient(x.den, x.num)
 
     def power(self, x: RationalFunction, n: int) -> RationalFunction:
-        """Return xⁿ; n < 0 inverts first."""
+        """Return xⁿ; for n < 0, x is inverted first."""
         return x**n
 
     def irreducible_factors(
         self, coefficients: Sequence[RationalFunction]
     ) -> list[list[RationalFunction]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+        """Return the distinct monic irreducible factors of a nonzero polynomial.
 
-        Over k = QQ and GF(p) by those of a polynomial in one variable more (Gauss's lemma); over others as
-        :meth:`hfield.fields.base.ring.Ring.irreducible_factors` does.
+        Over k = QQ and GF(p) they are found from those of a polynomial in one more variable (Gauss's lemma);
+        over other fields as in :meth:`hfield.fields.base.ring.Ring.irreducible_factors`.
         """
         from hfield.fields.polynomial_rings import flint_context
 
@@ -190,7 +192,7 @@ class FractionField(Overfield[RationalFunction]):
         images: Mapping[str, S],
         below: Embedding[S],
     ) -> Callable[[RationalFunction], S]:
-        """Return the homomorphism that maps the variables to these images, where there is no pole."""
+        """Return the homomorphism that maps the variables to these images, if there is no pole."""
         polynomial = self.polynomial_evaluation(target, images, below)
 
         def value(x: RationalFunction) -> S:
@@ -213,7 +215,9 @@ class FractionField(Overfield[RationalFunction]):
 
     @property
     def level(self) -> Fact:
-        """The level of the field k of constants: squares with sum −1 have such values, where no pole is."""
+        """The level of the field k of constants, because squares with sum −1 have such values wherever they
+        have no pole.
+        """
         known, *several = self.base.level, *self.variables[1:]
         large = "the variables" if several else self.variables[0]
         if known.value == INFINITY:
@@ -230,7 +234,7 @@ class FractionField(Overfield[RationalFunction]):
 def value_of_fraction(field: Ring[E], x: E, target: Ring[S], num: S, den: S) -> S:
     """Return the value num/den of a function x of the field.
 
-    Raises :class:`NotInvertibleError` where x has a pole.
+    Raises :class:`NotInvertibleError` if x has a pole.
     """
     if target.is_zero(den):
         raise NotInvertibleError(f"{shorten(field.text(x))} has a pole there: its denominator is 0")
@@ -238,7 +242,9 @@ def value_of_fraction(field: Ring[E], x: E, target: Ring[S], num: S, den: S) -> 
 
 
 def functions_name(base: Ring, names: tuple[str, ...]) -> str:
-    """Write the field of rational functions: ``QQ(x,y)``; ``Frac(QQ[pi])`` where that may be a number's."""
+    """Return the name of the field of rational functions: ``QQ(x,y)``, or ``Frac(QQ[pi])`` if a variable
+    could be taken for a number.
+    """
     inside = ",".join(names)
     if any(map(reads_like_a_constant, names)):
         return f"Frac({base.name}[{inside}])"

@@ -33,7 +33,7 @@ def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
 def over_extended_constants(
     constants: ExtensionField, variables: tuple[str, ...]
 ) -> SimpleExtension:
-    """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
+    """Return GF(pⁿ)(s, t, …) as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
     polynomials = build_polynomials(shared(PrimeField, constants.characteristic), variables)
     base = shared(RationalFunctions, polynomials)
     name = f"{constants.name}({','.join(variables)})"

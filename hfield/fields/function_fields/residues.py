@@ -1,4 +1,4 @@
-"""Residue fields k[t]/π of a rational function field k(t), and the roots that are needed in them.
+"""Residue fields k[t]/π of a rational function field k(t), and the computation of roots in them.
 
 Elements are polynomials of FLINT reduced modulo π; k is a finite field or ℚ.
 """
@@ -26,12 +26,12 @@ if TYPE_CHECKING:
 
 
 def valuation(x: RationalFunction, p: Polynomial) -> int:
-    """Return the order of a nonzero rational function at the irreducible polynomial p."""
+    """Return the valuation of a nonzero rational function at the irreducible polynomial p."""
     return multiplicity(x.num, p) if x.num % p == 0 else -multiplicity(x.den, p)
 
 
 def multiplicity(poly: Polynomial | SparsePolynomial, p: Polynomial | SparsePolynomial) -> int:
-    """Return how often an irreducible polynomial divides another that is not 0."""
+    """Return the multiplicity of an irreducible polynomial in a nonzero polynomial."""
     n = 0
     while True:
         quotient, rest = divmod(poly, p)
@@ -41,7 +41,7 @@ def multiplicity(poly: Polynomial | SparsePolynomial, p: Polynomial | SparsePoly
 
 
 class ResidueField:
-    """k[t]/π for a monic irreducible π; with π = t the field k itself.
+    """k[t]/π for a monic irreducible π; for π = t this is the field k itself.
 
     ``field`` is the ring k(t) (its elements have ``num`` and ``den``, its ``base`` is k).
     """
@@ -63,7 +63,7 @@ class ResidueField:
         return self.base.characteristic == 2
 
     def over_prime_field(self) -> list[Polynomial]:
-        """Return a basis over the prime field, where k is finite."""
+        """Return a basis over the prime field, if k is finite."""
         k, t = self.base, self.field.gen.num
         assert isinstance(k, FiniteField)
         return [
@@ -108,7 +108,7 @@ class ResidueField:
         return self.is_one(self.power(x, (self.order - 1) // 2))
 
     def sqrt(self, x: Polynomial) -> Polynomial | None:
-        """Return a square root of x, or None when there is none."""
+        """Return a square root of x, or None if there is none."""
         if x == 0 or self.is_one(x):
             return x
         if self.order is None:
@@ -118,7 +118,7 @@ class ResidueField:
         return self._cipolla(x) if self.is_square(x) else None
 
     def _cipolla(self, x: Polynomial) -> Polynomial:
-        """Return the square root of a nonzero square, as a power in the quadratic extension."""
+        """Return the square root of a nonzero square, as a power in the quadratic extension (Cipolla)."""
         rng = Random(1)
         while True:
             r = self.random(rng)
@@ -212,20 +212,20 @@ class FunctionResidues(ResidueField):
         return self.field.quotient(x, self.field.one.num)
 
     def valuation(self, x: RationalFunction) -> int:
-        """Return the order of a nonzero rational function at π."""
+        """Return the valuation of a nonzero rational function at π."""
         return valuation(x, self.modulus)
 
     def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
-        """Return the order of x ≠ 0, and the class of x over that power of the uniformiser."""
+        """Return the valuation of x ≠ 0, and the class of x divided by that power of the uniformiser."""
         n = self.valuation(x)
         return n, self.reduce(x * self.uniformiser**-n if n else x)
 
     def reduce(self, x: RationalFunction) -> Polynomial:
-        """Return the class of a rational function without pole at π."""
+        """Return the class of a rational function without a pole at π."""
         return self.multiply(x.num % self.modulus, self.inverse(x.den % self.modulus))
 
     def truncated(self, x: RationalFunction, n: int) -> RationalFunction:
-        """Return the polynomial over a power of π, of the least degree, that is congruent to x modulo πⁿ."""
+        """Return the polynomial of least degree over a power of π that is congruent to x modulo πⁿ."""
         k = -min(self.valuation(x), 0) if x.num != 0 else 0
         if n + k <= 0:
             return self.field.zero
@@ -251,15 +251,15 @@ class AtInfinity(FunctionResidues):
         return super().uniformiser
 
     def valuation(self, x: RationalFunction) -> int:
-        """Return the degree of the denominator less that of the numerator."""
+        """Return the degree of the denominator minus the degree of the numerator."""
         return int(x.den.degree()) - int(x.num.degree())
 
     def reduce(self, x: RationalFunction) -> Polynomial:
-        """Return the value at infinity of a rational function without pole there."""
+        """Return the value at infinity of a rational function without a pole there."""
         return self.zero if x.num == 0 or self.valuation(x) > 0 else self.leading(x)[1]
 
     def leading(self, x: RationalFunction) -> tuple[int, Polynomial]:
-        """Return the order of x ≠ 0, and the first coefficient of x as a series in 1/t."""
+        """Return the valuation of x ≠ 0, and the first coefficient of x as a series in 1/t."""
         lead = self.field.base_element(x.num.leading_coefficient())
         return self.valuation(x), self.scalar(lead)
 

@@ -1,6 +1,6 @@
 """Fields of rational functions in one variable over QQ and over finite fields, on flint's polynomials.
 
-flint has polynomials over these fields but no fractions of them; :class:`RationalFunction` adds those, in
+flint has polynomials over these fields but no fractions of them. :class:`RationalFunction` adds those, in
 lowest terms with monic denominator, so that equal functions have equal parts.
 """
 
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
 
 __all__ = ["FunctionField", "RationalFunction"]
 
-# python-flint frees a polynomial over GF(q) through its context. Where the collector clears a cycle
-# that holds both, the context may go first, and the process dies. So contexts live for ever, and
-# nothing is collected any more at exit.
+# python-flint frees a polynomial over GF(q) through its context. If the garbage collector clears a
+# cycle that contains both, the context may be freed first, and the process crashes. So contexts are
+# never freed, and garbage collection stops at exit.
 _CONTEXTS: dict[Ring, flint.fq_default_poly_ctx] = {}
 atexit.register(gc.freeze)
 
@@ -52,7 +52,7 @@ def _number(c: flint.fq_default) -> int:
 
 
 class FunctionField(FractionField):
-    """F(t), the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
+    """F(t): the fractions of polynomials in one variable over QQ, GF(p) or GF(q).
 
     >>> from hfield import ring
     >>> F = ring("QQ(x)")
@@ -89,7 +89,7 @@ class FunctionField(FractionField):
 
     @property
     def variable(self) -> RationalFunction:
-        """The variable of the polynomials: of functions on a circle, the tangent of half the angle."""
+        """The variable of the polynomials; for functions on a circle, the tangent of half the angle."""
         return self._gen
 
     def names(self) -> dict[str, RationalFunction]:
@@ -110,7 +110,7 @@ class FunctionField(FractionField):
         return self.base
 
     def as_constant(self, x: RationalFunction) -> Coefficient | None:
-        """Return the element of the field below that x is, or None."""
+        """Return x as an element of the field below, or None if it is not constant."""
         if x.num.degree() > 0 or x.den.degree() > 0:
             return None
         return self.base.zero if x.num == 0 else self.base_element(x.num.leading_coefficient())
@@ -137,17 +137,17 @@ class FunctionField(FractionField):
         return RationalFunction(self, num, den)
 
     def base_element(self, c: Coefficient) -> Coefficient:
-        """Return a coefficient as flint gives it as an element of the base field."""
+        """Convert a coefficient from flint to an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
 
     def irreducible_factors(
         self, coefficients: Sequence[RationalFunction]
     ) -> list[list[RationalFunction]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+        """Return the distinct monic irreducible factors of a nonzero polynomial.
 
-        Over GF(q)(t), q no prime, by the norm to GF(p)(t) of f(x − s·α), α the generator and s = 0, 1, t, …
-        (B. Trager, Proc. SYMSAC 1976): what f has in common with an irreducible factor of the norm is
-        irreducible if the factor's degree is [GF(q) : GF(p)] times its own.
+        Over GF(q)(t), q not prime, by the norm to GF(p)(t) of f(x − s·α), where α is the generator and s = 0,
+        1, t, … (B. Trager, Proc. SYMSAC 1976). The common divisor of f and an irreducible factor of the norm
+        is irreducible if the degree of the factor is [GF(q) : GF(p)] times its own.
         """
         if not isinstance(self.base, ExtensionField):
             return super().irreducible_factors(coefficients)
@@ -184,7 +184,7 @@ class FunctionField(FractionField):
         return RationalFunction(target, num, den)
 
     def from_below(self, x: object) -> RationalFunction:
-        """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
+        """Convert a number or an element of the base field to a constant. Raises :class:`CoercionError`."""
         return self.constant(self.base(x))
 
     def closed_form(self, x: sympy.Expr) -> RationalFunction:
@@ -232,14 +232,14 @@ class FunctionField(FractionField):
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements as four polynomials over one."""
+        """Return the storage of elements as four polynomials over a common denominator."""
 
         return FunctionStorage(self, constants)
 
     def ideal(self, x: object) -> FunctionFieldIdeal:
         """Return an ideal of GF(q)[t], given by a polynomial, a fraction, a prime, or several of them.
 
-        Raises :class:`CoercionError` for anything else, and where the constants are no finite field.
+        Raises :class:`CoercionError` for anything else, and if the field of constants is not finite.
 
         >>> from hfield import ring
         >>> F = ring("GF(3)(t)"); F.ideal("t^2-1") + F.ideal("t+1"), F.ideal(["t^2", "2*t"]).norm()
@@ -282,7 +282,7 @@ class FunctionField(FractionField):
         return set() if self.as_constant(x) is not None else {*self.variables}
 
     def to_sympy(self, x: RationalFunction, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return the fraction as an expression, numerator and denominator multiplied out."""
+        """Return the fraction as an expression, with expanded numerator and denominator."""
         gen = symbol(self.gen_name or "", symbols)
 
         def expression(poly: Polynomial) -> sympy.Expr:
@@ -305,7 +305,7 @@ class FunctionField(FractionField):
 
 
 def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
-    """Return what makes flint polynomials over the field from coefficients, low degree first."""
+    """Return a function that makes flint polynomials over the field from coefficients, low degree first."""
     if base == QQ:
         return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
     if isinstance(base, ExtensionField):

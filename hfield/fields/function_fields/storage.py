@@ -1,4 +1,4 @@
-"""Elements over F(t) as four polynomials over one, in lowest terms with a monic denominator."""
+"""Elements over F(t) as four polynomials over one monic denominator, in lowest terms."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class FunctionStorage(CommonDenominatorStorage):
         return super().names() | self._constants | tools
 
     def settle(self, names: list[str]) -> list[str]:
-        """Write how to return polynomials over d in lowest terms."""
+        """Return code that returns polynomials over d in lowest terms."""
         listed = ", ".join(names)
         return [f"return ({listed}, d) if d == one else lowest({listed}, d)"]
 

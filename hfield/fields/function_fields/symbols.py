@@ -1,9 +1,9 @@
 """Hilbert symbols and ramified places over k(t), k a finite field of any characteristic, or ℚ.
 
-A place is a monic irreducible polynomial or infinity. For characteristic not 2 the symbol at it is
-the class of the tame residue ``(−1)^{vw}·b^v/a^w`` in the residue field modulo squares (over ℚ, where it
-still decides ramification, this is Faddeev's residue); in characteristic 2 the algebra [a, b) has the
-invariant ``Tr(Res(a·db/b))``, the trace down to GF(2). Serre, *Local Fields*, chapter XIV, and Gille and
+A place is a monic irreducible polynomial or infinity. In characteristic not 2, the symbol at a place is the
+class of the tame residue ``(−1)^{vw}·b^v/a^w`` in the residue field modulo squares (over ℚ this is Faddeev's
+residue, which still decides ramification). In characteristic 2 the algebra [a, b) has the invariant
+``Tr(Res(a·db/b))``, where the trace goes down to GF(2). Serre, *Local Fields*, chapter XIV, and Gille and
 Szamuely, *Central Simple Algebras and Galois Cohomology*, chapter 6.
 """
 
@@ -35,7 +35,7 @@ def _poles_and_zeros(field: FunctionField, *elements: RationalFunction) -> list[
 
 
 def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
-    """Return 1 where the tame residue, or the invariant of [a, b), is trivial, else −1."""
+    """Return 1 if the tame residue, or the invariant of [a, b), is trivial, else −1."""
     a, b = form.constants
     if form.kind == "artin-schreier":
         return 1 - 2 * _invariant(field, a, b, place)
@@ -56,7 +56,7 @@ def tame_residue(
 def _invariant(
     field: FunctionField, a: RationalFunction, b: RationalFunction, place: FunctionPlace
 ) -> int:
-    """Return the trace to GF(2) of the residue of ``a·db/b``: 1 where [a, b) ramifies."""
+    """Return the trace to GF(2) of the residue of ``a·db/b``; it is 1 if [a, b) ramifies."""
     n, m = b.num, b.den
     differential = a * field.quotient(n.derivative() * m + n * m.derivative(), n * m)
     if differential.num == 0:
@@ -92,8 +92,8 @@ def _trace_to_prime(field: FunctionField, x: Scalar) -> int:
 def ramified_places_functions(field: FunctionField, form: NormalForm) -> tuple[FunctionPlace, ...]:
     """Return the places of k(t) with a nontrivial residue, by degree, infinity last.
 
-    For finite k these are the ramified places. Over ℚ the algebra may in addition contain a
-    constant division algebra, which no residue shows.
+    For finite k these are the ramified places. Over ℚ the algebra may also involve a constant division
+    algebra, which the residues do not show.
     """
     candidates = _poles_and_zeros(field, *form.constants)
     return tuple(v for v in candidates if symbol(field, form, v) < 0)
@@ -112,12 +112,12 @@ def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> 
 def same_class_rational_functions(
     field: FunctionField, form: NormalForm, other: NormalForm
 ) -> bool:
-    """Return whether two algebras over ℚ(x) are isomorphic: by residues, and then by a value."""
+    """Return whether two algebras over ℚ(x) are isomorphic, by their residues and then by a value."""
     return same_residues(field, form, other) and _same_at_a_point(field, form, other)
 
 
 def _same_at_a_point(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
-    """Compare two algebras over ℚ(x) that have the same residues at a point where both are unramified.
+    """Compare two algebras over ℚ(x) with equal residues, at a point at which both are unramified.
 
     Their difference in the Brauer group comes from ℚ (Faddeev), so its value at one point decides.
     """

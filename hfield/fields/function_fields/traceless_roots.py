@@ -1,10 +1,11 @@
 """Square roots of trace 0 in a division algebra (a, b) over ℚ(x): zeros of ``a·X² + b·Y² − ab·Z² = s·W²``.
 
-There is none if there is none at a rational point of the line. There, over ℚ((x − c)), a form splits into two
-over ℚ, of the coefficients of even and of odd order, and has a zero exactly when one of these has (Springer).
-Where the algebra ramifies, s has to take its residue away. For a constant algebra and an s of degree at most
-2 the answer is complete: ``s = m·(x + h)² + n`` has a root exactly when the algebra is (m, n), for the conic
-``y² = s(x)`` splits no other division algebra (Amitsur). Else X is tried, and a conic is left to be solved.
+If there is no zero at some rational point of the line, there is none. Over the completion ℚ((x − c)) at such
+a point, a form splits into two forms over ℚ, given by the coefficients of even and of odd order, and it has a
+zero exactly if one of these has (Springer). At a place where the algebra ramifies, the extension by √s must
+remove its residue. For a constant algebra and an s of degree at most 2 the answer is complete: ``s = m·(x +
+h)² + n`` has a root exactly if the algebra is (m, n), because the conic ``y² = s(x)`` splits no other
+division algebra (Amitsur). In all other cases values of X are tried, and a conic remains to be solved.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def traceless_root_functions(
 ) -> tuple[RationalFunction, RationalFunction, RationalFunction] | None:
     """Return (X, Y, Z) with ``(X·i + Y·j + Z·k)² = s``, or None.
 
-    The algebra is a division algebra, and s no square. Raises :class:`UndecidedError`.
+    The algebra is a division algebra, and s is not a square. Raises :class:`UndecidedError`.
     """
     a, b = form.constants
     square, free = _squarefree(field, s)
@@ -89,7 +90,9 @@ def _squarefree(
 def _obstruction(
     field: FunctionField, form: NormalForm, f: RationalFunction
 ) -> FunctionPlace | None:
-    """Return a place over whose completion no element of trace 0 has the square f, if one is found."""
+    """Return a place such that no element of trace 0 over the completion there has the square f, if one is
+    found; else None.
+    """
     a, b = form.constants
     coefficients = [a, b, field.zero - a * b, field.zero - f]
     polynomials = (poly for x in (a, b, f) for poly in (x.num, x.den))
@@ -130,7 +133,9 @@ def _isotropic_at(coefficients: list[RationalFunction], point: FunctionPlace) ->
 def _quadratic(
     field: FunctionField, a: RationalFunction, b: RationalFunction, f: RationalFunction
 ) -> tuple[RationalFunction, ...] | None:
-    """Solve for a constant algebra and degree at most 2: (X, Y, Z), or () if there is none; else None."""
+    """Solve for a constant algebra and an f of degree at most 2: return (X, Y, Z), or () if there is none;
+    None in other cases.
+    """
     if f.num.degree() > 2:
         return None
     n, linear, m = (QQ(f.num[k]) for k in range(3))
@@ -175,7 +180,7 @@ def _searched(
 
 
 def _candidates(field: FunctionField, f: RationalFunction) -> Iterator[RationalFunction]:
-    """Yield polynomials with small coefficients of at most half the degree of f, simple ones first."""
+    """Yield polynomials of at most half the degree of f with small coefficients, simple ones first."""
     size = max(1, int(f.num.degree()) // 2) + 1
     for bound in (0, 1, 2, 3):
         for coefficients in itertools.product(range(-bound, bound + 1), repeat=size):
@@ -188,6 +193,6 @@ def _candidates(field: FunctionField, f: RationalFunction) -> Iterator[RationalF
 
 
 def _may_be_norm(field: FunctionField, p: RationalFunction, rest: RationalFunction) -> bool:
-    """Return whether rest may be a norm from the field of √p, judged at some rational points."""
+    """Return whether ``rest`` may be a norm from the field of √p, judging by some rational points."""
     form = [field.one, field.zero - p, field.zero - rest]
     return all(_isotropic_at(form, c) for c in (FunctionPlace(field), *_points(field, 3)))

@@ -1,4 +1,4 @@
-"""Reduced echelon forms and solutions over fields, by flint where it has matrices over the field."""
+"""Reduced echelon forms and solutions over fields, by flint if it has matrices over the field."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hfield.fields.linear_algebra.syzygies import Row
 
 
 def echelon(ring: Ring[E], rows: Sequence[Row[E]]) -> tuple[list[Row[E]], list[int]]:
-    """Return the rows, none 0, of the reduced echelon form over a field, and the columns of its pivots."""
+    """Return the nonzero rows of the reduced echelon form over a field, and the columns of its pivots."""
     if not rows or not rows[0]:
         return [], []
     one = ring.one
@@ -46,7 +46,7 @@ def _eliminated(ring: Ring[E], rows: Sequence[Row[E]]) -> list[Row[E]]:
 
 
 def null_space(ring: Ring[E], rows: Sequence[Row[E]], width: int) -> list[Row[E]]:
-    """Return a basis of the v of ``width`` entries with rows·v = 0, over a field."""
+    """Return a basis of the vectors v of ``width`` entries with rows·v = 0, over a field."""
     reduced, pivots = echelon(ring, rows)
     out = []
     for free in range(width):
@@ -61,7 +61,7 @@ def null_space(ring: Ring[E], rows: Sequence[Row[E]], width: int) -> list[Row[E]
 
 
 def solution(ring: Ring[E], rows: Sequence[Row[E]], right: Sequence[Row[E]]) -> list[Row[E]] | None:
-    """Return some X with rows·X = right, over a field, or None where there is none."""
+    """Return some X with rows·X = right, over a field, or None if there is none."""
     width, extra = len(rows[0]), len(right[0])
     if len(rows) == width and isinstance(ring.one, flint.fmpq):
         try:  # Dixon's lifting is quicker than elimination

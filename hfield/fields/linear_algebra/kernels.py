@@ -7,11 +7,12 @@ from hfield.fields.linear_algebra.vectors import dot
 
 
 def kernel(ring: Ring[E], rows: list[Row[E]], width: int) -> list[Row[E]]:
-    """Return a basis of ``{v : rows·v = 0}``, of ``width`` columns; generators where it need not be free.
+    """Return a basis of ``{v : rows·v = 0}``, v of ``width`` entries; generators if the kernel need not be
+    free.
 
-    Over a field by elimination, which over other rings goes on as long as a pivot is a unit, or stands
-    alone in its row and is no zero divisor. The rest is left to :func:`relations`. Raises
-    :class:`UndecidedError` where that finds no generators.
+    Over a field, by elimination. Over other rings, elimination continues as long as some pivot is a unit, or
+    is the only entry of its row and not a zero divisor. The rest is left to :func:`relations`. Raises
+    :class:`UndecidedError` if that finds no generators.
     """
     rows = [list(r) for r in rows]
     pivots: dict[int, Row[E]] = {}
@@ -44,7 +45,7 @@ def kernel(ring: Ring[E], rows: list[Row[E]], width: int) -> list[Row[E]]:
 
 
 def _unit_pivot(ring: Ring[E], rows: list[Row[E]]) -> tuple[Row[E], int] | None:
-    """Scale some row so that it has a 1, and return it with the column of the 1."""
+    """Scale some row so that it contains a 1, and return it with the column of the 1."""
     for row in rows:
         for column, x in enumerate(row):
             if not ring.is_zero(x):

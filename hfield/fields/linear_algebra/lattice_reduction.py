@@ -1,7 +1,8 @@
 """Lattice reduction by LLL, and isotropic vectors of forms by random majorants.
 
-A form that is good at every prime has a zero among small vectors of a lattice, reduced for the sum of the
-absolute values of its terms, or for what automorphisms of the form over ℝ and ℂ make of this majorant.
+A form that is minimal at every prime has a zero among the small vectors of a lattice. The lattice is reduced
+with respect to the sum of the absolute values of the form's terms, or with respect to an image of this
+majorant under automorphisms of the form over ℝ and ℂ.
 """
 
 from __future__ import annotations
@@ -23,7 +24,9 @@ Integers = list[list[int]]
 
 
 def combination(coefficients: Sequence[int], rows: Sequence[Sequence[S]]) -> list[S]:
-    """Return the sum of rows times integers; the rows may hold elements of any field."""
+    """Return the linear combination of rows with integer coefficients; the entries of the rows may be in any
+    field.
+    """
     terms = [[x * n for x in row] for n, row in zip(coefficients, rows, strict=True) if n]
     if not terms:
         return [x * 0 for x in rows[0]]
@@ -31,7 +34,7 @@ def combination(coefficients: Sequence[int], rows: Sequence[Sequence[S]]) -> lis
 
 
 def reduced(rows: Integers) -> tuple[Integers, Integers]:
-    """Return a reduced basis of the lattice of independent integer rows, and the steps to it."""
+    """Return a reduced basis of the lattice that independent integer rows span, and the steps to it."""
     short, steps = flint.fmpz_mat(rows).lll(transform=True)
     return _integers(short), _integers(steps)
 
@@ -54,10 +57,11 @@ def turned(
     rng: random.Random,
     width: int = 3,
 ) -> list[list[complex]]:
-    """Return vectors, with ``width`` coordinates for each place, after random turns in all coordinate planes.
+    """Return vectors, with ``width`` coordinates for each place, after random rotations in all coordinate
+    planes.
 
-    ``places`` has the signs of the form at a real place, None at a complex one. The turn is by a real angle
-    where the form is definite, an imaginary one where it is not, a complex one at a complex place.
+    ``places`` contains the signs of the form at each real place, and None for a complex one. The angle is
+    real if the form is definite on the plane, imaginary if it is indefinite, and complex at a complex place.
     """
     for k, signs in enumerate(places):
         for i, j in itertools.combinations(range(width), 2):
@@ -78,7 +82,7 @@ def _turned(v: list[complex], i: int, j: int, angle: complex) -> list[complex]:
 
 
 def real_coordinates(v: Sequence[complex], real: int) -> list[float]:
-    """Return one real number for each of the first coordinates, real or imaginary, and two for the others."""
+    """Return one real number for each of the first ``real`` coordinates, and two for each of the others."""
     return [
         t for k, z in enumerate(v) for t in ([z.real + z.imag] if k < real else [z.real, z.imag])
     ]

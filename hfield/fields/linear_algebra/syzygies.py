@@ -1,8 +1,8 @@
-"""Kernels of matrices over rings that are not fields: generators, and a basis wherever one is found.
+"""Kernels of matrices over rings that are not fields: generators, and a basis if one is found.
 
-Over ℤ/n a matrix is made diagonal by invertible steps on rows and columns (Smith's normal form); over ℤ and
-k[x] columns are reduced by division with remainder; over other polynomial rings, which are factorial, two
-columns of rank 1 have one relation, divided by its gcd; over a small finite ring all vectors are tried.
+Over ℤ/n a matrix is diagonalised by invertible row and column operations (Smith normal form). Over ℤ and k[x]
+columns are reduced by division with remainder. Over other polynomial rings, which are factorial, two columns
+of rank 1 have one relation up to its gcd. Over a small finite ring all vectors are tried.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ TRIALS = 50_000
 
 
 def relations(ring: Ring, rows: list[Row], width: int) -> list[Row]:
-    """Return generators of ``{v : rows·v = 0}``. Raises :class:`UndecidedError` where none are found."""
+    """Return generators of ``{v : rows·v = 0}``. Raises :class:`UndecidedError` if none are found."""
     if isinstance(ring, Modular):
         whole = [[int(x) for x in row] for row in rows]
         return [[ring(x) for x in v] for v in modulo(ring.modulus, whole, width)]
@@ -53,10 +53,11 @@ def relations(ring: Ring, rows: list[Row], width: int) -> list[Row]:
 
 
 def modulo(n: int, rows: list[list[int]], width: int) -> list[list[int]]:
-    """Return generators of the kernel over ℤ/n; it is the direct sum of the cyclic modules they generate.
+    """Return generators of the kernel over ℤ/n; it is the direct sum of the cyclic modules that they
+    generate.
 
-    ``U·M·V = D`` is diagonal with V invertible, and ``d·y = 0`` is solved by the multiples of
-    ``n/gcd(d, n)``: the columns of V times these generate.
+    ``U·M·V = D`` is diagonal with V invertible. The solutions of ``d·y = 0`` are the multiples of ``n/gcd(d,
+    n)``, so the columns of V times these numbers generate the kernel.
     """
     rows = [[x % n for x in row] for row in rows]
     columns = [[int(i == j) for j in range(width)] for i in range(width)]  # those of V
@@ -119,7 +120,7 @@ def _bezout(a: int, b: int) -> tuple[int, int, int, int]:
 def _euclidean(
     ring: Ring, rows: list[Row], width: int, size: Callable[[flint.fmpz | SparsePolynomial], int]
 ) -> list[Row]:
-    """Return a basis of the kernel over a ring with division, by invertible steps on columns."""
+    """Return a basis of the kernel over a Euclidean ring, by invertible column operations."""
     height = len(rows)
     columns = [
         [row[i] for row in rows] + [ring.one if i == j else ring.zero for j in range(width)]
@@ -138,7 +139,7 @@ def _euclidean(
 
 
 def _positive(ring: Ring, v: Row) -> Row:
-    """Return v or −v, over ℤ the one whose first coordinate that is not 0 is positive."""
+    """Return v or −v; over ℤ, the one whose first nonzero coordinate is positive."""
     lead = next(x for x in v if x != 0)
     return [ring.zero - x for x in v] if ring == ZZ and lead < 0 else v
 
@@ -147,7 +148,7 @@ def _positive(ring: Ring, v: Row) -> Row:
 
 
 def _blocks(ring: Ring[E], rows: list[Row[E]], width: int) -> list[list[int]]:
-    """Return the columns in groups, such that no row has entries in two of them."""
+    """Return the columns in groups, such that no row has entries in two groups."""
     groups = [{n} for n in range(width)]
     for row in rows:
         support = {n for n, x in enumerate(row) if not ring.is_zero(x)}
@@ -182,9 +183,10 @@ def _block(ring: Ring, rows: list[Row], width: int) -> list[Row]:
 def generators(
     ring: Ring[E], vectors: Iterable[Row[E]], key: Callable[[E], Hashable] | None = None
 ) -> list[Row[E]]:
-    """Return some of the vectors over a finite ring, none of them superfluous, that generate all.
+    """Return a minimal subset of the vectors over a finite ring that generates the same module.
 
-    ``key`` tells scalars apart, by default ``ring.key``; another one computes modulo an ideal.
+    ``key`` distinguishes scalars, by default ``ring.key``; another key makes the computation work modulo an
+    ideal.
     """
     key = key or ring.key
     chosen: list[Row[E]] = []

@@ -1,4 +1,6 @@
-"""The arithmetic of completions: the square classes of its constants at the one place decide an algebra."""
+"""The arithmetic of completions: an algebra is determined by the square classes of its constants at the only
+place.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +29,7 @@ TRIES = 2_000
 
 
 class CompletionArithmetic(GlobalField):
-    """The arithmetic of a completion, by that of the completed field, ``below``."""
+    """The arithmetic of a completion, based on the arithmetic ``below`` of the completed field."""
 
     ring: Completion
 
@@ -36,7 +38,7 @@ class CompletionArithmetic(GlobalField):
         self.below = known_field(self.ring.global_field)
 
     def read_place(self, text: object) -> Hashable:
-        """Return the one place, from its text or from None. Raises :class:`RingError` for another."""
+        """Return the only place, from its text or from None. Raises :class:`RingError` for another place."""
         place: Hashable = self.ring.place
         if text is not None and self.below.read_place(text) != place:
             raise RingError(f"{self.ring} has one place, {place}; {text} is not it")
@@ -44,10 +46,11 @@ class CompletionArithmetic(GlobalField):
 
 
 class LocalArithmetic(CompletionArithmetic):
-    """The arithmetic of a completion, by that of the global field on representatives of square classes.
+    """The arithmetic of a completion, based on that of the global field applied to representatives of square
+    classes.
 
-    A constant that is known up to O(πⁿ) is replaced by its value, after the digits were counted that its
-    class hangs on. All division algebras are isomorphic (Voight, *Quaternion Algebras*, theorem 13.3.11).
+    A constant known up to O(πⁿ) is replaced by its value, once it is checked that the known digits determine
+    its square class. All division algebras are isomorphic (Voight, *Quaternion Algebras*, theorem 13.3.11).
     """
 
     ring: LocalField
@@ -57,7 +60,7 @@ class LocalArithmetic(CompletionArithmetic):
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
-        """Return the symbol; in characteristic 2 that of [a, b | F), where a may be 0."""
+        """Return the symbol; in characteristic 2 the symbol of [a, b | F), where a may be 0."""
         self.read_place(place)
         a, b = self._nonzero(a, b)
         even = self.ring.characteristic == 2
@@ -69,7 +72,7 @@ class LocalArithmetic(CompletionArithmetic):
         return (self.ring.place,) if self._is_division(c) else ()
 
     def _is_division(self, c: Constants) -> bool:
-        """Decide for all numbers that the constants may be. Raises :class:`UndecidedError`."""
+        """Decide for all numbers that the constants may stand for. Raises :class:`UndecidedError`."""
         if not (c.a.is_exact and c.b.is_exact):
             check_refinements(self.ring, c.a, c.b, lambda x, y: self._ramifies(x, c.t.value, y))
         return self._ramifies(*(x.value for x in c))
@@ -78,10 +81,10 @@ class LocalArithmetic(CompletionArithmetic):
         return self.below.unit_and_prime(Constants(a, t, b), self.ring.place) is not None
 
     def _check_classes(self, c: Constants) -> None:
-        """Check that square classes are known, so that a hyperbolic plane for one representative works for
-        all.
+        """Check that the square classes are known, so that a hyperbolic plane for one representative works
+        for all.
 
-        Raises :class:`UndecidedError` naming the digits.
+        Raises :class:`UndecidedError`, whose message gives the number of digits needed.
         """
         F, what = self.ring, "an element of norm 0"
         if F.characteristic != 2:
@@ -112,17 +115,19 @@ class LocalArithmetic(CompletionArithmetic):
         return self.ring.residues
 
     def unit_and_prime(self, c: Constants, place: object) -> tuple[Vector, Vector] | None:
-        """Return u and j for the values of the constants, which prove nothing of constants with an O()."""
+        """Return u and j for the values of the constants; they prove nothing about constants with an O()."""
         if not all(x.is_exact for x in c):
             return None
         return self.below.unit_and_prime(Constants(*(x.value for x in c)), place)
 
     def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
-        """Yield u and j at the one place, whatever else showed that the norm has no zero."""
+        """Yield u and j at the only place, whatever else showed that the norm has no zero."""
         return super().evidence(c, self.ring.places())
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return an element of norm 0 to some digits, and the plane on which Hensel's lemma finds it."""
+        """Return an element whose norm is 0 to some digits, and the plane in which Hensel's lemma finds a
+        zero.
+        """
         F = self.ring
         normal = Constants(form.a, F(form.kind == "artin-schreier"), form.b)
         self._check_classes(normal)
@@ -146,9 +151,9 @@ class LocalArithmetic(CompletionArithmetic):
     # --- isomorphisms and square roots ---------------------------------------------------------------
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J: a square root of a, and of b among what anticommutes with it."""
+        """Return I and J: a square root of a, and a square root of b that anticommutes with it."""
         i = self._root(inner, outer.a, basis_of(self.ring)[1:])
-        # commutators with I span what anticommutes with it
+        # commutators with I span the elements that anticommute with it
         others = [self._turned(inner, i, v) for v in basis_of(self.ring)[1:]]
         return i, self._root(inner, outer.b, others)
 
@@ -187,14 +192,14 @@ class LocalArithmetic(CompletionArithmetic):
     # --- characteristic 2 ------------------------------------------------------------------------------
 
     def square_parts(self, x: LocalElement) -> tuple[LocalElement, LocalElement]:
-        """Return u and v with ``x = u² + g·v²``, for an x that is known exactly."""
+        """Return u and v with ``x = u² + g·v²``, for an exactly known x."""
         if not x.is_exact:
             raise UndecidedError(f"{x} is split into squares only if it is known exactly")
         u, v = self.below.square_parts(x.value)
         return self.ring(u), self.ring(v)
 
     def as_norm(self, x: LocalElement, s: LocalElement) -> tuple[LocalElement, LocalElement]:
-        """Return w and r with ``x = w² + s·r²``, for x and s that are known exactly."""
+        """Return w and r with ``x = w² + s·r²``, for exactly known x and s."""
         if not (x.is_exact and s.is_exact):
             raise UndecidedError(f"{x} is written as a norm only if it and {s} are known exactly")
         w, r = self.below.as_norm(x.value, s.value)

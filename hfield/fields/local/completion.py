@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class Completion(Overfield[E]):
     """The completion of ``global_field`` at ``place``.
 
-    Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field, and
-    texts mean what they mean there.
+    Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field; texts
+    have the same meaning as there.
     """
 
     def __init__(self, name: str, words: str, global_field: Ring, place: Hashable) -> None:
@@ -35,7 +35,7 @@ class Completion(Overfield[E]):
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by the one that is completed, and the place."""
+        """The completed field and the place, as JSON data."""
         at = self.place_data(self.place)
         return {"kind": "completion", "of": self.global_field.data, "place": at}
 
@@ -48,7 +48,7 @@ class Completion(Overfield[E]):
         return self._words
 
     def from_below(self, x: object) -> E:
-        """Turn a number or an element of the global field into an exact element.
+        """Convert a number or an element of the global field to an exact element.
 
         Raises :class:`CoercionError`.
         """
@@ -60,7 +60,7 @@ class Completion(Overfield[E]):
 
     @abstractmethod
     def exact(self, value: Scalar) -> E:
-        """Return an element of the global field as one of this field."""
+        """Return an element of the global field as an element of this field."""
 
     @property
     def gen(self) -> E:
@@ -76,7 +76,7 @@ class Completion(Overfield[E]):
         return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
 
     def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
-        """Return a function of the global field as one of exact elements."""
+        """Return a function of the global field as a function of exact elements."""
 
         def lifted(*xs: Any) -> E:
             for x in xs:

@@ -16,8 +16,8 @@ class LocalElement(Element):
     """``value + O(πⁿ)``: all elements of the completion that differ from ``value`` by a multiple of πⁿ.
 
     ``precision`` is n, or None for the element ``value`` itself; ``value`` is an element of the global field,
-    cut off at πⁿ, so that equal sets have equal parts. Immutable; ``==`` compares the sets, while ``F.equal``
-    decides whether two elements are equal, and says so where too few digits are known.
+    truncated at πⁿ, so that equal sets have equal parts. Immutable. ``==`` compares the sets; ``F.equal``
+    decides whether two elements are equal, and raises :class:`UndecidedError` if too few digits are known.
 
     >>> from hfield import ring
     >>> F = ring("Qp(5)")
@@ -49,7 +49,9 @@ class LocalElement(Element):
         return not self.field.global_field.is_zero(self.value)
 
     def valuation(self) -> int:
-        """Return the order at the prime. Raises :class:`UndecidedError` for O(πⁿ), CoercionError for 0."""
+        """Return the valuation at the prime. Raises :class:`UndecidedError` for O(πⁿ),
+        CoercionError for 0.
+        """
         if self.has_value:
             return self.field.order_of(self.value)
         if self.precision is None:
@@ -60,11 +62,13 @@ class LocalElement(Element):
         )
 
     def least_valuation(self) -> int | None:
-        """Return a lower bound of the order at the prime, exact where a digit is known; None for 0."""
+        """Return a lower bound for the valuation at the prime, exact if a nonzero digit is known;
+        None for 0.
+        """
         return self.field.order_of(self.value) if self.has_value else self.precision
 
     def digits(self) -> int | None:
-        """Return the relative precision: the number of known digits from the first nonzero one; None for
+        """Return the relative precision: the number of known digits from the first nonzero digit on; None for
         exact elements.
         """
         return None if self.precision is None else self.precision - (self.least_valuation() or 0)
@@ -102,7 +106,7 @@ class LocalElement(Element):
 
 
 def _least(m: int | None, n: int | None) -> int | None:
-    """Return the lesser of two, None being infinite."""
+    """Return the smaller of two numbers, where None means infinity."""
     return n if m is None else m if n is None else min(m, n)
 
 

@@ -29,10 +29,10 @@ DIGITS = 20  # to so many digits roots are found that no element of the global f
 class LocalField(Completion[LocalElement]):
     """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
 
-    ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
-    (:mod:`hfield.fields.base.finite_places`). Elements are :class:`LocalElement`: elements of the global
-    field, exact or up to O(πⁿ). Every decision hangs on a square class, hence on few digits; where they are
-    not known, :class:`UndecidedError` names how many are needed.
+    ``global_field`` and ``place`` are the completed field and the place; ``residues`` is the place with its
+    residue field (:mod:`hfield.fields.base.finite_places`). Elements are :class:`LocalElement`: elements of
+    the global field, exact or up to O(πⁿ). Every decision depends on a square class, hence on few digits; if
+    these are not known, the message of :class:`UndecidedError` gives the number of digits needed.
 
     >>> from hfield import ring
     >>> F = ring("Qp(5)")
@@ -55,7 +55,9 @@ class LocalField(Completion[LocalElement]):
 
     @property
     def doubling(self) -> int:
-        """The valuation of 2, 0 unless the residue field has characteristic 2; 0 in characteristic 2, too."""
+        """The valuation of 2; 0 unless the residue field has characteristic 2, and 0 if the field itself has
+        characteristic 2.
+        """
         at = self.residues
         return at.index if at.even and is_above_prime(at) else 0
 
@@ -75,7 +77,7 @@ class LocalField(Completion[LocalElement]):
         return max(0, -(x.least_valuation() or 0))
 
     def truncated(self, x: Scalar, n: int) -> Scalar:
-        """Return the standard element of the global field that is x up to πⁿ."""
+        """Return the standard element of the global field that agrees with x up to πⁿ."""
         if self.global_field.is_zero(x):
             return x
         standard: Scalar = self.global_field(self.residues.truncated(x, n))
@@ -97,7 +99,7 @@ class LocalField(Completion[LocalElement]):
         return self(x) + LocalElement(self, self.global_field.zero, n)
 
     def functions(self) -> dict[str, Callable[..., LocalElement]]:
-        """Return the functions of the global field, ``sqrt``, and O: ``O(v, x)`` is ``v + O(x)``."""
+        """Return the functions of the global field, ``sqrt``, and O; ``O(v, x)`` stands for ``v + O(x)``."""
         return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
     def _big_o(self, x: LocalElement, divisor: LocalElement | None = None) -> LocalElement:
@@ -107,16 +109,17 @@ class LocalField(Completion[LocalElement]):
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
 
     def named_constants(self, node: Node) -> Node:
-        """Return a tree in which each number that is written up to an O(…) is ``O(v, πⁿ)``, v its digits.
+        """Return a tree in which each number written with an O(…) is replaced by ``O(v, πⁿ)``, where v
+        contains its digits.
 
-        Only ``v + O(x)`` and ``O(x)`` with exact v write a number. Two of the same digits are the same; but
-        ``v + O(x)`` with digits 0 alone is ``O(πⁿ, πⁿ)``, and O(x) is ``O(0, πⁿ)``. What is computed from
-        numbers, as in ``2*(v + O(x))``, stays as it is.
+        Only ``v + O(x)`` and ``O(x)`` with exact v denote a number. Two with the same digits are replaced by
+        the same call; but ``v + O(x)`` whose known digits are all 0 becomes ``O(πⁿ, πⁿ)``, and O(x) becomes
+        ``O(0, πⁿ)``. Expressions in numbers, such as ``2*(v + O(x))``, stay unchanged.
         """
         return _NamedConstants(self).tree(node)
 
     def spelled_constants(self, node: Node) -> Node:
-        """Return a tree with ``v + O(x)``, or ``O(x)`` where v is 0, for each ``O(v, x)``."""
+        """Return a tree in which ``O(v, x)`` is replaced by ``v + O(x)``, or by ``O(x)`` if v is 0."""
         below = [self.spelled_constants(x) for x in children(node)]
         match node:
             case Call("O", (v, _)):
@@ -142,11 +145,11 @@ class LocalField(Completion[LocalElement]):
         )
 
     def is_known(self, x: LocalElement) -> bool:
-        """Return whether x is one element, without an O(…)."""
+        """Return whether x is exact, without an O(…)."""
         return x.is_exact
 
     def vanishes(self, x: LocalElement) -> bool:
-        """Return whether x is 0 as far as its digits are known."""
+        """Return whether all known digits of x are 0."""
         return not x.has_value
 
     def inverse(self, x: LocalElement) -> LocalElement:
@@ -154,20 +157,23 @@ class LocalField(Completion[LocalElement]):
         return x.inverse()
 
     def is_square(self, x: LocalElement) -> bool:
-        """Return whether x is a square. Raises :class:`UndecidedError` with the needed precision."""
+        """Return whether x is a square. Raises :class:`UndecidedError`, whose message gives the precision
+        needed.
+        """
         return square_root(self, x, 1) is not None
 
     def sqrt(self, x: LocalElement) -> LocalElement | None:
-        """Return a square root, exact where the global field has it, else to some digits (Hensel's lemma).
+        """Return a square root, exact if the global field contains it, else to some digits (Hensel's lemma).
 
-        None where there is none. Raises :class:`UndecidedError` naming the digits that it takes.
+        None if there is none. Raises :class:`UndecidedError`, whose message gives the number of digits
+        needed.
         """
         return square_root(self, x, DIGITS)
 
     def roots(self, coefficients: Sequence[LocalElement]) -> list[LocalElement]:
         """Return all roots of a polynomial over ℚ in ℚ_p, if these are rational.
 
-        Raises :class:`UndecidedError` where there are others, and over other fields.
+        Raises :class:`UndecidedError` if there are others, and over other fields.
         """
         at = self.residues
         rational = all(x.is_exact and isinstance(x.value, flint.fmpq) for x in coefficients)
@@ -180,7 +186,9 @@ class LocalField(Completion[LocalElement]):
         return [self(-g[0]) for g in factors if g.degree() == 1]
 
     def check_digits(self, x: LocalElement, needed: int, what: str) -> None:
-        """Raise :class:`UndecidedError`, naming the digits, where fewer than ``needed`` are known of x."""
+        """Raise :class:`UndecidedError`, with the number of digits, if fewer than ``needed`` digits of x are
+        known.
+        """
         known = x.digits()
         if known is None or (known >= needed and x.has_value):
             return
@@ -192,14 +200,16 @@ class LocalField(Completion[LocalElement]):
 
     @cached_property
     def level(self) -> Fact:
-        """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
+        """1, 2 or 4; 4 only for extensions of ℚ₂ of odd degree (Lam, *Introduction to Quadratic Forms*,
+        XI.2).
+        """
         squares = self.minus_one_as_squares()
         if len(squares) < 4:
             return self.level_of(squares)
         return self.level_of(squares, "fewer squares do not do, for the degree over ℚ₂ is odd")
 
     def minus_one_as_squares(self) -> tuple[LocalElement, ...]:
-        """Return as few elements as possible, not all of them exact, whose squares add up to −1."""
+        """Return as few elements as possible whose squares add up to −1; not all of them are exact."""
         return minus_one(self)
 
     def key(self, x: LocalElement) -> Hashable:
@@ -227,7 +237,7 @@ class LocalField(Completion[LocalElement]):
 
 
 class _NamedConstants:
-    """Replaces numbers with unknown digits by ``O(v, πⁿ)`` in a tree with shared nodes."""
+    """Replace numbers with unknown digits by ``O(v, πⁿ)`` in a tree with shared nodes."""
 
     def __init__(self, field: LocalField) -> None:
         self.field = field
@@ -247,7 +257,7 @@ class _NamedConstants:
         return self.named[id(node)][1]
 
     def number(self, node: Node) -> Node | None:
-        """Return the name node of a number that is written with a precision O(…), None for other nodes."""
+        """Return the node ``O(v, πⁿ)`` for a number written with a precision O(…); None for other nodes."""
         match node:
             case (
                 Call("O", (v, x))
@@ -265,11 +275,12 @@ class _NamedConstants:
         known = LocalElement(self.field, value.value, rest.precision)
         (above,) = children(parse(self.field.big_o(rest.precision)))
         digits = parse(self.field.global_field.text(known.value))
-        # 5 + O(5) may stand in 5 + O(5) − O(5), where O(5) would cancel: it is not the number O(5)
+        # 5 + O(5) may occur in 5 + O(5) − O(5), from which O(5) must not be cancelled: it is not
+        # the number O(5)
         return Call("O", (digits if known.has_value or not value.has_value else above, above))
 
     def value(self, node: Node) -> LocalElement | None:
-        """Return the value of a term, None where it is not an element of the field."""
+        """Return the value of a term; None if it is not an element of the field."""
         if weight(node) > self.field.parse_limit:
             return None
         try:

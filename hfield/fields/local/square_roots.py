@@ -1,7 +1,7 @@
 """Square roots in local fields, by Hensel's lemma, and −1 as a sum of squares.
 
-Where 2 is not invertible among the residues, a unit is first brought as near to 1 as squares bring it (its
-quadratic defect: O'Meara, *Introduction to Quadratic Forms*, §63A).
+If 2 is not invertible in the residue field, a unit is first brought as close to 1 as multiplication by
+squares allows (its quadratic defect: O'Meara, *Introduction to Quadratic Forms*, §63A).
 """
 
 from __future__ import annotations
@@ -23,10 +23,11 @@ TRIES = 5_000
 
 
 def square_root(F: LocalField, x: LocalElement, digits: int) -> LocalElement | None:
-    """Return a square root of x, or None where there is none.
+    """Return a square root of x, or None if there is none.
 
-    It is exact if x is and its root is in the global field, else known to ``digits`` digits, or to as many as
-    x allows. Raises :class:`UndecidedError` naming the digits of x that it takes.
+    It is exact if x is exact and its root is in the global field; otherwise it is known to ``digits`` digits,
+    or to as many as x allows. Raises :class:`UndecidedError`, whose message gives the number of digits of x
+    needed.
     """
     if x.is_exact:
         root = F.global_field.sqrt(x.value)
@@ -73,7 +74,8 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
 def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
     """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is not a square.
 
-    Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
+    If only ``known`` digits of u are known, y² agrees with these; None then means that no unit with these
+    digits is a square.
     """
     K: Ring[Scalar] = F.global_field
     k, e = F.residues, F.doubling
@@ -106,8 +108,8 @@ def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
 def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Scalar:
     """Return a root of ``f₀ + f₁·X + f₂·X²`` up to π^digits, from an x with v(f(x)) > 2·v(f′(x)).
 
-    All are elements of the global field. Newton's steps double the digits of the root near x, of which there
-    is one (Hensel's lemma).
+    All are elements of the global field. Newton's iteration doubles the known digits of the only root near x
+    (Hensel's lemma).
     """
     K: Ring[Scalar] = F.global_field
     while True:

@@ -1,10 +1,11 @@
-"""Decide whether the known digits of local numbers determine a Hilbert symbol, and how many digits do.
+"""Decide whether the known digits of local numbers determine a Hilbert symbol, and how many digits suffice.
 
-All numbers in x + O(πⁿ) have one symbol if the products of x with a few factors have it, because the symbol
+All numbers in x + O(πⁿ) have the same symbol if the products of x with a few factors do, because the symbol
 is bilinear. The factors 1 + r·πᵐ, with r in a basis of the residue field over GF(2), generate 1 + O(πⁿ) up to
-elements on which every symbol is 1: squares, which include 1 + O(4π), and in characteristic 2 norms, which
-include 1 + O(πᵐ) beyond the pole of a. There a stands for its class in F/{y² + y}, and r·π⁻ᵐ is added to it.
-(O'Meara, *Introduction to Quadratic Forms*, 63:1 to 63:11; Serre, *Local Fields*, XIV.5.)
+elements on which every symbol is 1. These elements are squares, which include 1 + O(4π), and in
+characteristic 2 also norms, which include 1 + O(πᵐ) for m above the order of the pole of a. In characteristic
+2, a stands for its class in F/{y² + y}, and r·π⁻ᵐ is added to it. (O'Meara, *Introduction to Quadratic
+Forms*, 63:1 to 63:11; Serre, *Local Fields*, XIV.5.)
 """
 
 from __future__ import annotations
@@ -25,10 +26,11 @@ SYMBOL = "whether the algebra is split"
 def check_refinements(
     F: LocalField, a: LocalElement, b: LocalElement, is_division: Callable[[Scalar, Scalar], bool]
 ) -> None:
-    """Raise :class:`UndecidedError`, naming the digits, unless all numbers in a and b have one symbol.
+    """Raise :class:`UndecidedError`, with the number of digits, unless all numbers with the known digits of a
+    and b have the same symbol.
 
-    ``is_division`` tells whether the symbol of two elements of the global field is −1. In characteristic 2 it
-    is that of [a, b | F), where a may be 0.
+    ``is_division`` returns whether the symbol of two elements of the global field is −1. In characteristic 2
+    it is the symbol of [a, b | F), where a may be 0.
     """
     even = F.characteristic == 2
     F.check_digits(b, 1, SYMBOL)
@@ -48,7 +50,7 @@ def check_refinements(
 
 
 def _multiplied(F: LocalField, x: LocalElement, digits: int) -> Iterator[tuple[int, Scalar]]:
-    """Yield factors that map x to all numbers with its digits, and the precision that fixes each factor."""
+    """Yield factors that map x to all numbers with its digits, each with the precision that excludes it."""
     known = x.digits()
     if known is not None:
         for m in range(known, digits):
@@ -57,8 +59,8 @@ def _multiplied(F: LocalField, x: LocalElement, digits: int) -> Iterator[tuple[i
 
 
 def _added(F: LocalField, x: LocalElement) -> Iterator[tuple[int, Scalar]]:
-    """Yield summands, modulo y² + y, that map x to all numbers with its digits, and the precision that
-    fixes each.
+    """Yield summands, modulo y² + y, that map x to all numbers with its digits, each with the precision that
+    excludes it.
     """
     if x.precision is not None:
         for m in range(x.precision, 1):

@@ -48,7 +48,7 @@ class NumberFieldArithmetic(GlobalField):
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
-        """Return the symbol; nothing is factored."""
+        """Return the symbol, without factoring anything."""
         return hilbert_symbol_number_field(self.ring(a), self.ring(b), self.read_place(place))
 
     def ramified(self, form: NormalForm) -> tuple[Place, ...]:
@@ -56,13 +56,13 @@ class NumberFieldArithmetic(GlobalField):
         return ramified_places_number_field(form.a, form.b)
 
     def discriminant(self, ramified: tuple[object, ...]) -> tuple[PrimeIdeal, ...]:
-        """Return the prime ideals, whose product it is."""
+        """Return the prime ideals whose product is the discriminant."""
         return tuple(v for v in ramified if isinstance(v, PrimeIdeal))
 
     def with_ramification(
         self, places: Sequence[Place | str], infinite: bool | None = None
     ) -> tuple[FieldElement, FieldElement]:
-        """Return constants by local classes and one more prime ideal."""
+        """Return constants, found by local classes and one more prime ideal."""
         if infinite is not None:
             raise no_flag(self.ring)
         return from_ramification_number_field(self.ring, list(places))
@@ -72,7 +72,7 @@ class NumberFieldArithmetic(GlobalField):
         return tuple(finite_ramified(form.a, form.b, set(primes(SMALL_PRIMES))))
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return a point of the conic ``z² = a·x² + b·y²``, searched within a bound."""
+        """Return a point of the conic ``z² = a·x² + b·y²``, by a bounded search."""
         x, y, z = solve_conic_number_field(self.ring, form.a, form.b)
         return found(self.ring, c, form.back((z, x, y, self.ring.zero)), "conic", CONIC)
 
@@ -81,7 +81,7 @@ class NumberFieldArithmetic(GlobalField):
         return local_place(place) if isinstance(place, PrimeIdeal) else None
 
     def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
-        """Yield the evidence; where ℤ[s] is not maximal at a place, in other generators as well."""
+        """Yield the evidence; if ℤ[s] is not maximal at a place, also in terms of other generators."""
         for place in places:
             for data in super().evidence(c, [place]):
                 yield data
@@ -93,20 +93,22 @@ class NumberFieldArithmetic(GlobalField):
         return norms(self.ring, x)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J by an isometry of the quaternions of trace 0; in degree 2 by a common slot."""
+        """Return I and J, by an isometry of the quaternions of trace 0; in degree 2 by a common slot."""
         if self.ring.degree > 2:
             return embed_number_field(self.ring, outer, inner)
         with self._known(outer.a, outer.b, inner.a, inner.b):
             return through_slot(self.ring, outer, inner, self._slot(inner, outer.a), self._point)
 
     def _known(self, *numbers: FieldElement) -> AbstractContextManager[None]:
-        """Use the known primes of some numbers for products of them: a slot has one new prime."""
+        """Use the known primes of some numbers when products of them are factored: a slot has one
+        new prime.
+        """
         return known_primes({p for x in numbers for p in candidates(self.ring, x)}, "")
 
     def _slot(self, c: Constants, s: FieldElement) -> FieldElement:
         """Return a common slot of an algebra for a and s.
 
-        In degree 2 three conics in rank 6 take half the time of an isometry in rank 12.
+        In degree 2, three conics in rank 6 take half as long as an isometry in rank 12.
         """
         return common_slot([c.a, s], ramified_places_number_field(c.a, c.b))
 

@@ -1,4 +1,4 @@
-"""Numbers of sympy as elements of number fields, by their minimal polynomials and their values."""
+"""Find sympy numbers as elements of number fields, by their minimal polynomials and their values."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ MAX_BITS = 2**14
 
 def element_of(field: NumberField, x: sympy.Expr) -> FieldElement:
     """Return the element of the field whose value is the number x. Raises :class:`CoercionError`."""
-    x = x.expand(func=True)  # what the golden ratio is
+    x = x.expand(func=True)  # the golden ratio
     value = _minimal_polynomial(x)
     if value is None:
         raise field.refuse(x, "expected an algebraic number")
@@ -43,7 +43,7 @@ def element_of(field: NumberField, x: sympy.Expr) -> FieldElement:
 
 
 def _minimal_polynomial(x: sympy.Expr) -> flint.fmpq_poly | None:
-    """Return the minimal polynomial of a number over ℚ, monic; None if it is not seen to be algebraic."""
+    """Return the monic minimal polynomial of a number over ℚ; None if it is not recognised as algebraic."""
     import sympy
 
     if x.has(sympy.Float) or x.count_ops() > MAX_OPERATIONS:
@@ -58,7 +58,7 @@ def _minimal_polynomial(x: sympy.Expr) -> flint.fmpq_poly | None:
 
 
 def _ball(x: sympy.Expr, bits: int) -> flint.acb:
-    """Return a complex ball around a number of sympy, computed with so many bits."""
+    """Return a complex ball around a sympy number, computed with ``bits`` bits."""
     from hfield.fields.algebraic.evaluate import evaluate, is_known
 
     with precision(bits + 16):

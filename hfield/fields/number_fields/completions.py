@@ -1,6 +1,6 @@
-"""The completions of number fields, quadratic ones among them: extensions of ℚ_p, ℝ and ℂ.
+"""The completions of number fields, including quadratic ones: extensions of ℚ_p, ℝ and ℂ.
 
-Of the last two the elements of the field are known.
+In ℝ and ℂ, the known elements are those of the number field.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class EmbeddedElement(Element):
-    """An element ``value`` of a number field, as a real or complex number. Immutable."""
+    """An immutable element ``value`` of a number field, as a real or complex number."""
 
     __slots__ = ("value",)
 
@@ -59,9 +59,9 @@ class EmbeddedElement(Element):
 
 
 class InfiniteCompletion(Completion[EmbeddedElement]):
-    """ℝ or ℂ as the completion of a number field, with the elements of the field in it, exact.
+    """ℝ or ℂ as the completion of a number field; its known elements are those of the field, exact.
 
-    RR and CC do not tell where the generator of a field goes; here that is the place.
+    RR and CC do not record the image of a field's generator; here the place determines it.
     """
 
     theory = "infinite completion"
@@ -87,9 +87,10 @@ class InfiniteCompletion(Completion[EmbeddedElement]):
         return self.global_field.text(x.value, style)
 
     def sqrt(self, x: EmbeddedElement) -> EmbeddedElement | None:
-        """Return a square root, the positive one in ℝ, and None where there is none.
+        """Return a square root, the positive one in ℝ; None if there is none.
 
-        Raises :class:`UndecidedError` for a root that is not in the number field, and so has no name here.
+        Raises :class:`UndecidedError` for a root that is not in the number field, and so has no
+        representation here.
         """
         if not self.is_square(x):
             return None
@@ -128,7 +129,7 @@ class RealCompletion(InfiniteCompletion):
 
     @property
     def orderings(self) -> Fact:
-        """The one of the real numbers."""
+        """One: the ordering of the real numbers."""
         return Fact(1, "the positive real numbers are the squares")
 
     def sign(self, x: EmbeddedElement, ordering: int = 0) -> int:
@@ -137,7 +138,7 @@ class RealCompletion(InfiniteCompletion):
         return int(self.place.sign(x.value)) if not self.is_zero(x) else 0
 
     def is_square(self, x: EmbeddedElement) -> bool:
-        """Return whether x is not negative."""
+        """Return whether x is nonnegative."""
         return self.sign(x) >= 0
 
     def principal(self, y: EmbeddedElement) -> EmbeddedElement:
@@ -167,7 +168,7 @@ def infinite_completion(field: Ring, place: Hashable, is_real: bool) -> Infinite
 
 
 def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
-    """Return the completion of ℚ(√d): an extension of ℚ_p, RR or CC; ℝ with a negative √d at ``inf-``."""
+    """Return the completion of ℚ(√d): an extension of ℚ_p, RR or CC; at ``inf-``, ℝ with negative √d."""
     v = place_of_number_field(field, place)
     if isinstance(v, QuadraticPrime):
         return _at_prime_ideal(field, v, prime_at(v))

@@ -1,10 +1,10 @@
-"""Points on conics ``a·x² + b·y² = z²`` over number fields, searched within a bound.
+"""Points on conics ``a·x² + b·y² = z²`` over number fields, by a bounded search.
 
-The form ``z² − a·x² − b·y²`` is put on a module in K³ where it is good at every prime ideal, a lattice of
-rank 3n in which a :class:`ZeroSearch` looks for zeros. At a prime ideal ``minimal_conics``
-gives a local basis whose entries are integral at all other primes. The module that has these bases at the bad
-primes, and is the standard one elsewhere, is their sum, each times a number that is divisible enough by the
-others.
+The form ``z² − a·x² − b·y²`` is considered on a module in K³ on which it is minimal at every prime ideal, a
+lattice of rank 3n in which :class:`ZeroSearch` looks for zeros. At a prime ideal, ``minimal_conics`` gives a
+local basis whose entries are integral at all other primes. The module that has these bases at the bad primes,
+and is the standard one elsewhere, is the sum of their spans, each multiplied by a number that is sufficiently
+divisible by the other primes.
 
 Compare Cremona and Rusin, "Efficient solution of rational conics", Math. Comp. 72 (2003).
 """
@@ -31,8 +31,8 @@ def solve_conic_number_field(
 ) -> tuple[FieldElement, FieldElement, FieldElement]:
     """Return ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``, for nonzero a and b.
 
-    The conic must have a point, that is, ``(a, b | K)`` must ramify nowhere. Raises
-    :class:`UndecidedError` where none was met, and where a norm or the discriminant is too hard to factor.
+    The conic must have a point, that is, ``(a, b | K)`` must be unramified everywhere. Raises
+    :class:`UndecidedError` if no point was found, and if a norm or the discriminant is too hard to factor.
     """
     none = f"a conic over {field.name} has points, but none"
     expect_small_degree(field, none)
@@ -48,8 +48,8 @@ def solve_conic_number_field(
 def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list[Vector]:
     """Return a basis over ℤ of a module in K³ on which a diagonal form is minimal at each prime ideal.
 
-    The coefficients are integers of the field, and units outside ``primes``, which contain 2. The form
-    must have a zero in each completion.
+    The coefficients are integers of the field, and units outside ``primes``, which include 2. The form must
+    have a zero in each completion.
     """
     o = field.zero
     conic = Conic((form[0], form[1], form[2], o, o, o), o, field.one)
@@ -73,7 +73,7 @@ def good_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list
 
 
 def _depth(place: LocalPlace, basis: list[Vector]) -> int:
-    """Return an n for which the span contains the n-th power of the prime times the standard lattice."""
+    """Return an n such that the span contains the n-th power of the prime times the standard lattice."""
     (a, b, c), (d, e, f), (g, h, i) = basis
     determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     worst = min(place.valuation(x) for v in basis for x in v if x)
@@ -81,14 +81,16 @@ def _depth(place: LocalPlace, basis: list[Vector]) -> int:
 
 
 def _unit(place: LocalPlace, n: int) -> FieldElement:
-    """Return an integer that is 1 at the place, and divisible by pⁿ at the others above p."""
+    """Return an integer that is 1 at the place and divisible by pⁿ at the other places above p."""
     prime, p = place.prime, place.below
     power = n * max(Q.e for Q in primes_above(prime.field, p))
     return prime.order.truncated(prime.field.power(prime.idempotent, power), p ** (n + 1))
 
 
 def module_basis(field: NumberField, generators: list[Vector]) -> list[Vector]:
-    """Return a basis over ℤ of what vectors of Kᵐ generate over the integers, scaled to be integral."""
+    """Return a basis over ℤ of the module that vectors of Kᵐ generate over the ring of integers, scaled to be
+    integral.
+    """
     n = field.degree
     width = n * len(generators[0])
     wide = [[w * x for x in v] for w in field.integral_basis() for v in generators]

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
 
 
-# The operators of python-flint's polynomials look up the type of the other operand, which takes longer than
-# to add or multiply two short polynomials. The methods behind them take less, where both are polynomials.
+# The operators of python-flint's polynomials look up the type of the other operand, which takes
+# longer than adding or multiplying two short polynomials. The methods that they call are faster if
+# both operands are polynomials.
 _add = getattr(flint.fmpq_poly, "_add_", operator.add)
 _subtract = getattr(flint.fmpq_poly, "_sub_", operator.sub)
 _multiply = getattr(flint.fmpq_poly, "_mul_", operator.mul)
@@ -26,9 +27,9 @@ _remainder = getattr(flint.fmpq_poly, "_mod_", operator.mod)
 
 
 class FieldElement(PrintedBySympy):
-    """An element of a :class:`NumberField`: ``poly`` is flint's polynomial in s of least degree.
+    """An element of a :class:`NumberField`; ``poly`` is flint's polynomial in s of least degree.
 
-    It is not to be changed: equal elements have equal polynomials, and hash alike.
+    Do not modify it: equal elements have equal polynomials and equal hashes.
 
     >>> from hfield import ring
     >>> K = ring("QQ[s]/(s^3-2)"); s = K.gen
@@ -43,7 +44,7 @@ class FieldElement(PrintedBySympy):
         self.poly = poly
 
     def _other(self, x: object) -> flint.fmpq_poly | flint.fmpq | int | None:
-        """Return what to compute with in the place of x: a polynomial, a rational number, or None."""
+        """Return x in the form used for computing: a polynomial, a rational number, or None."""
         if type(x) is FieldElement:
             return x.poly if x.field is self.field or x.field == self.field else None
         if type(x) is int or type(x) is flint.fmpq:
@@ -140,7 +141,7 @@ class FieldElement(PrintedBySympy):
         return self.field.to_sympy(self, {})
 
     def as_surd(self) -> Surd | None:
-        """Return the number as a sum of square roots, or None where its field has no such sums."""
+        """Return the number as a sum of square roots, or None if its field contains no such sums."""
         found: Surd | None = self.field.as_surd(self)
         return found
 
@@ -175,10 +176,10 @@ class FieldElement(PrintedBySympy):
         return self.field.sign(self, ordering)
 
     def complex(self, place: int | None = None, digits: int = 15) -> flint.acb:
-        """Return the value at an infinite place, a complex ball of flint with so many correct digits.
+        """Return the value at an infinite place, a complex ball of flint with ``digits`` correct digits.
 
-        Places are numbered as in :meth:`NumberField.infinite_places`; by default it is the embedding that
-        the names of the field suggest.
+        Places are numbered as in :meth:`NumberField.infinite_places`; the default is the embedding that the
+        field's name suggests.
 
         >>> from hfield import ring
         >>> z = ring("QQ(zeta5)").gen.complex(digits=30)

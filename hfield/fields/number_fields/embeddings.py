@@ -31,7 +31,7 @@ class ComplexEmbeddings(IsolatedRoots):
             return flint.acb_poly(poly)(root)
 
     def sign(self, poly: flint.fmpq_poly, index: int) -> int:
-        """Return the sign of a polynomial, not divisible by that of the roots, at a real root."""
+        """Return the sign at a real root of a polynomial that does not vanish there."""
         bits = START
         while bits <= MAX_BITS:
             value = self.value(poly, index, bits).real
@@ -43,7 +43,7 @@ class ComplexEmbeddings(IsolatedRoots):
         raise UndecidedError(f"a sign was not decided with {MAX_BITS} bits")
 
     def close(self, poly: flint.fmpq_poly, index: int, digits: int) -> flint.acb:
-        """Return a ball around the value with so many correct decimal digits."""
+        """Return a ball around the value with ``digits`` correct decimal digits."""
         wanted = int(digits * 3.33) + 2
         bits = max(START, wanted + 32)
         while bits <= MAX_BITS:
@@ -57,9 +57,9 @@ class ComplexEmbeddings(IsolatedRoots):
 def square_root(field: NumberField, x: FieldElement) -> FieldElement | None:
     """Return y with y² = x, or None.
 
-    If x generates the field and m is its minimal polynomial, x is a square exactly if m(t²) is
-    reducible; a factor A(t²) + t·B(t²) of it gives the root −A(x)/B(x). Any x is made a generator by
-    a square. Norms and residues modulo a few primes tell most others from squares before.
+    If x generates the field and m is its minimal polynomial, x is a square exactly if m(t²) is reducible; a
+    factor A(t²) + t·B(t²) of it gives the root −A(x)/B(x). Multiplying by a square makes any x a generator.
+    Norms and residues modulo a few primes exclude most non-squares beforehand.
     """
     if not x:
         return x
@@ -101,7 +101,7 @@ def _is_square(x: flint.fmpq) -> bool:
 
 @lru_cache(maxsize=256)
 def _tests(field: NumberField) -> list[tuple[int, flint.nmod_poly]]:
-    """Return a few odd primes, each with an irreducible factor modulo it of the polynomial of the field."""
+    """Return a few odd primes, each with an irreducible factor modulo it of the field's polynomial."""
     whole = field.polynomial.numer()
     bad = int(whole.discriminant()) * int(whole.leading_coefficient())
     good = (p for p in primes() if p > 2 and bad % p)

@@ -20,10 +20,10 @@ Coefficients = list[FieldElement]
 def irreducible_factors(
     field: NumberField, coefficients: Sequence[FieldElement]
 ) -> list[Coefficients]:
-    """Return the monic irreducible factors of a polynomial that is not 0, each once.
+    """Return the distinct monic irreducible factors of a nonzero polynomial.
 
-    f(x − c·s) has a norm to ℚ[x] without multiple factors for some c, s the generator; each irreducible
-    factor of the norm has one of f(x − c·s) in common with it.
+    For some c the norm of f(x − c·s) to ℚ[x], s the generator, has no multiple factors. Each irreducible
+    factor of the norm then has one irreducible factor of f(x − c·s) in common with it.
     """
     f = monic(field, coefficients)
     if len(f) == 1:
@@ -42,7 +42,7 @@ def irreducible_factors(
 
 
 def _norm(field: NumberField, f: Coefficients) -> flint.fmpq_poly:
-    """Return the product of the conjugates of f: a resultant, computed as a polynomial in two variables."""
+    """Return the product of the conjugates of f, a resultant, computed as a polynomial in two variables."""
     ring = flint.fmpq_mpoly_ctx.get(("s", "x"))
     terms = {(m, n): q for n, c in enumerate(f) for m, q in enumerate(c.poly.coeffs()) if q}
     modulus = {(m, 0): q for m, q in enumerate(field.polynomial.coeffs()) if q}

@@ -1,9 +1,10 @@
-"""Numbers with given Hilbert symbols, and algebras from their ramification, over number fields.
+"""Numbers with given Hilbert symbols, and algebras with given ramification, over number fields.
 
-An e for which (a, e), or each of several, ramifies at given places and nowhere else is looked for among the
-smallest numbers of a coset: it lies in the prime ideals where its valuation must be odd, has a class with the
-right symbols where that of an a is odd, and the right signs. Left to luck are the symbols above 2, and those
-at the primes, small ones, that divide e besides; one of all these is right by the product formula.
+An e such that (a, e), or each of several (a, e), ramifies exactly at given places is searched for among the
+smallest numbers of a coset. These lie in the prime ideals at which the valuation of e must be odd. At those
+at which the valuation of an a is odd, they have a class with the right symbols. They also have the right
+signs. The symbols above 2, and those at the other primes that divide e (small ones), are left to chance; one
+of all these is right by the product formula.
 """
 
 from __future__ import annotations
@@ -33,14 +34,15 @@ from hfield.fields.number_fields.symbols import (
 from hfield.fields.rationals.whole_numbers import crt
 
 TRIALS = 20_000
-TWOS = 2**5  # symbols above 2 of an e of valuation at most 1 hang on e modulo this
+TWOS = 2**5  # symbols above 2 of an e of valuation ≤ 1 depend on e modulo this
 
 
 def common_slot(numbers: Sequence[FieldElement], ramified: Collection[Place]) -> FieldElement:
-    """Return an e with ``(a, e | K)`` ramified exactly at some places, even in number, for all the numbers a.
+    """Return an e with ``(a, e | K)`` ramified exactly at an even number of given places, for all the numbers
+    a.
 
-    No a is a square at a place. Raises :class:`UnfactoredError` where a norm is too hard to factor, and
-    :class:`UndecidedError` where there is none, or, by bad luck, none was met.
+    No a is a square at any of the places. Raises :class:`UnfactoredError` if a norm is too hard to factor,
+    and :class:`UndecidedError` if there is no such e or the search did not find one.
     """
     field = numbers[0].field
     above = {v.p for v in ramified if isinstance(v, PrimeIdeal)}
@@ -68,9 +70,9 @@ def common_slot(numbers: Sequence[FieldElement], ramified: Collection[Place]) ->
 def from_ramification_number_field(
     field: NumberField, named: Sequence[Place | str]
 ) -> tuple[FieldElement, FieldElement]:
-    """Return (a, b) such that ``(a, b | K)`` ramifies exactly at the places named.
+    """Return (a, b) such that ``(a, b | K)`` ramifies exactly at the given places.
 
-    Raises :class:`RingError` unless they are even in number, different, and none of them complex.
+    Raises :class:`RingError` unless the places are distinct, even in number, and none of them is complex.
     """
     places = [place_of_number_field(field, v) for v in named]
     if len(set(places)) < len(places):
@@ -113,7 +115,7 @@ def is_local_square(place: Place, x: FieldElement) -> bool:
 def _fits(
     numbers: Iterable[FieldElement], e: FieldElement, P: PrimeIdeal, ramified: Collection[Place]
 ) -> bool:
-    """Return whether all symbols (a, e) at a prime ideal have the wanted values."""
+    """Return whether all symbols (a, e) at a prime ideal have the required values."""
     return all((hilbert_symbol_number_field(a, e, P) < 0) == (P in ramified) for a in numbers)
 
 
@@ -123,7 +125,7 @@ Classes = dict[PrimeIdeal, tuple[FieldElement, int]]
 def _classes(
     numbers: Sequence[FieldElement], finite: Sequence[PrimeIdeal], ramified: Collection[Place]
 ) -> Classes:
-    """Return the classes that e should have, modulo P or P², at some prime ideals P."""
+    """Return the residue classes, modulo P or P², that e must have at some prime ideals P."""
     classes: Classes = {}
     for P in finite:
         if P.p > 2:
@@ -151,7 +153,9 @@ def _defect(P: PrimeIdeal, unit: FieldElement) -> int:
 
 
 def _square_classes(P: PrimeIdeal) -> list[tuple[FieldElement, int]]:
-    """Return the square classes at an odd prime ideal, two units and two of valuation 1, modulo P or P²."""
+    """Return the square classes at an odd prime ideal, two of units and two of valuation 1, modulo
+    P or P².
+    """
     one, rng = P.field.one, random.Random(1)
     unit = one
     while P.valuation(unit) or is_local_square(P, unit):
@@ -160,7 +164,7 @@ def _square_classes(P: PrimeIdeal) -> list[tuple[FieldElement, int]]:
 
 
 def _lifts(field: NumberField, classes: Classes, signs: Sequence[int]) -> Iterator[FieldElement]:
-    """Yield random small numbers with given residue classes, and given signs at the real places."""
+    """Yield random small numbers with given residue classes and given signs at the real places."""
     import numpy as np
 
     rng, places = random.Random(1), field.infinite_places()
@@ -194,7 +198,7 @@ def _representative(field: NumberField, classes: Classes) -> flint.fmpq_mat:
     for p in {P.p for P in classes}:
         e, m = field.zero, p * p
         for P, (part, _) in classes.items():
-            if P.p == p:  # ε²·(3 − 2ε) is 1 or 0 modulo p², where ε is modulo p
+            if P.p == p:  # ε²·(3 − 2ε) is 1 or 0 modulo p² if ε is modulo p
                 near = P.order.truncated(P.idempotent * P.idempotent * (3 - P.idempotent * 2), m)
                 e = P.order.truncated(e + near * P.order.truncated(part, m), m)
         coordinates = coordinate_rows(field, [e]).entries()
@@ -205,10 +209,11 @@ def _representative(field: NumberField, classes: Classes) -> flint.fmpq_mat:
 def _reduced_ideal(
     field: NumberField, classes: Classes
 ) -> tuple[list[list[int]], list[list[float]]]:
-    """Return a reduced basis of the product of the moduli of classes, and its values at the infinite places.
+    """Return a reduced basis of the product of the moduli of the classes, and its values at the infinite
+    places.
 
-    The basis is by coordinates in the integral basis; the values are real, or real and imaginary parts, the
-    largest of size 1.
+    The basis is given by coordinates in the integral basis. The values are real, or real and imaginary parts,
+    scaled so that the largest has absolute value 1.
     """
     n, basis = field.degree, list(field.integral_basis())
     for P in (P for P, (_, k) in classes.items() for _ in range(k)):

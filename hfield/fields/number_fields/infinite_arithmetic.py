@@ -1,4 +1,4 @@
-"""The arithmetic of completions of number fields at infinite places: signs decide."""
+"""The arithmetic of completions of number fields at infinite places, decided by signs."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 class InfiniteArithmetic(CompletionArithmetic):
-    """The arithmetic of ℝ or ℂ with the elements of a number field in it: two signs decide, if any.
+    """The arithmetic of ℝ or ℂ, whose known elements are those of a number field; in ℝ, two signs decide.
 
-    What asks for elements is answered where the number field has them.
+    Questions for elements are answered if the number field contains such elements.
     """
 
     ring: InfiniteCompletion
@@ -40,7 +40,7 @@ class InfiniteArithmetic(CompletionArithmetic):
         return (self.ring.place,) if self.hilbert_symbol(form.a, form.b, None, None) < 0 else ()
 
     def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
-        """Say by which signs."""
+        """Return a text with the signs that show it."""
         a, b = (self.ring.text(x) for x in form.constants)
         return f"{a} and {b} are negative real numbers in {self.ring}"
 
@@ -50,7 +50,7 @@ class InfiniteArithmetic(CompletionArithmetic):
         return one
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return an element of norm 0 over the number field, where it has one."""
+        """Return an element of norm 0 over the number field, if there is one."""
         answer = zero_norm(self.ring.global_field, Constants(*(x.value for x in c)))
         if answer.element is None:
             raise self._beyond("its elements of norm 0 have")
@@ -58,14 +58,14 @@ class InfiniteArithmetic(CompletionArithmetic):
         return found(self.ring, c, element, answer.method, answer.reason)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return multiples of two of i, j, k, where the number field has the square roots."""
+        """Return multiples of two of i, j, k, if the number field contains the square roots needed."""
         found = by_multiples(self.ring, outer, inner)
         if found is None:
             raise self._beyond("the images of i and j have")
         return found
 
     def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
-        """Refuse: multiples of i, j, k have been tried."""
+        """Raise an error: multiples of i, j, k have been tried before."""
         raise self._beyond("its square roots have")
 
     def _beyond(self, what: str) -> UndecidedError:

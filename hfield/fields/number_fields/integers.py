@@ -1,7 +1,7 @@
 """Integers of a number field: p-maximal orders by Dedekind's criterion and Round 2, the integral basis.
 
-H. Cohen, *A Course in Computational Algebraic Number Theory*, sections 6.1.2 to 6.1.4. An order is kept as a
-matrix: row n has the coefficients, in powers of the generator s, of the n-th basis element.
+H. Cohen, *A Course in Computational Algebraic Number Theory*, sections 6.1.2 to 6.1.4. An order is stored as
+a matrix: row n contains the coefficients of the n-th basis element in powers of the generator s.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class LocalOrder:
 
     @cached_property
     def basis(self) -> list[FieldElement]:
-        """The basis of the order, for one that is not plain."""
+        """The basis of the order, if it is not plain."""
         return _elements(self.field, self.rows)
 
     @cached_property
@@ -49,7 +49,9 @@ class LocalOrder:
         return self.rows.inv()
 
     def coordinates(self, x: FieldElement) -> tuple[list[int], int]:
-        """Return integers and a denominator, in lowest terms: x in the basis, or in powers of s if plain."""
+        """Return integers and a denominator, in lowest terms, that give x in the basis or, if plain, in
+        powers of s.
+        """
         if self.plain:
             numerator = x.poly.numer().coeffs()
             below = int(x.poly.denom())
@@ -61,7 +63,7 @@ class LocalOrder:
         return [int(c) for c in numerator], below
 
     def content(self, x: FieldElement) -> int:
-        """Return the greatest k for which x/pᵏ lies in the order at p, x ≠ 0."""
+        """Return the greatest k for which x/pᵏ is in the order at p; x is not 0."""
         if self.plain:
             common, below = int(x.poly.numer().content()), int(x.poly.denom())
         else:
@@ -78,7 +80,7 @@ class LocalOrder:
         return FieldElement(self.field, flint.fmpq_poly(row.entries()))
 
     def truncated(self, x: FieldElement, modulus: int) -> FieldElement:
-        """Return an element of the order congruent to x modulo a power of p; x is in the order at p."""
+        """Return an element of the order congruent to x modulo a power of p, for x in the order at p."""
         numerators, below = self.coordinates(x)
         inverse = pow(below, -1, modulus)
         return self.element(c * inverse % modulus for c in numerators)
@@ -92,7 +94,7 @@ def local_order(field: NumberField, p: int) -> LocalOrder:
 
 @lru_cache(maxsize=256)
 def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
-    """Return c > 0, least, with an integer polynomial, monic, for c·s; and that polynomial."""
+    """Return the least c > 0 such that c·s has a monic integer minimal polynomial, and that polynomial."""
     n, scale = field.degree, 1
     for k in range(n):
         c = field.polynomial[k]  # times scale^(n−k) it must be an integer
@@ -155,7 +157,7 @@ def _enlarged(field: NumberField, rows: flint.fmpq_mat, p: int) -> flint.fmpq_ma
 
 
 def multiplication_tables(field: NumberField, rows: flint.fmpq_mat) -> list[flint.fmpz_mat]:
-    """Return integer matrices: row j of the i-th has the coordinates of ωⱼ·ωᵢ in the basis ω."""
+    """Return integer matrices; row j of the i-th contains the coordinates of ωⱼ·ωᵢ in the basis ω."""
     n, basis, inverse = field.degree, _elements(field, rows), rows.inv()
     out = []
     for x in basis:
@@ -167,7 +169,7 @@ def multiplication_tables(field: NumberField, rows: flint.fmpq_mat) -> list[flin
 
 
 def p_radical(table: list[flint.fmpz_mat], p: int, rows: flint.fmpq_mat) -> list[list[int]]:
-    """Return vectors that span, modulo p, the nilpotent elements: those with x^(pʲ) = 0, pʲ ≥ n."""
+    """Return vectors that span, modulo p, the nilpotent elements: those with x^(pʲ) = 0, where pʲ ≥ n."""
     n = len(table)
     power = p
     while power < n:
@@ -203,13 +205,17 @@ def _multiples(n: int, p: int) -> list[list[int]]:
 
 
 def _lattice(rows: list[list[int]], n: int) -> flint.fmpz_mat:
-    """Return a basis, as an n × n matrix in Hermite normal form, of what integer rows of rank n span."""
+    """Return a basis, as an n × n matrix in Hermite normal form, of the lattice that integer rows of rank n
+    span.
+    """
     whole = flint.fmpz_mat(len(rows), n, [c for row in rows for c in row]).hnf()
     return flint.fmpz_mat(n, n, whole.entries()[: n * n])
 
 
 def _by_degrees(rows: list[list[flint.fmpq]], n: int) -> flint.fmpq_mat:
-    """Return the basis in Hermite's form of what rational rows span: elements of degrees 0, 1, … in s."""
+    """Return a basis in Hermite normal form of the lattice that rational rows span: elements of degrees 0, 1,
+    … in s.
+    """
     below = math.lcm(*(int(flint.fmpq(c).q) for row in rows for c in row))
     integers = [[int(flint.fmpq(c) * below) for c in reversed(row)] for row in rows]
     basis = [c for row in reversed(_lattice(integers, n).tolist()) for c in reversed(row)]
@@ -235,7 +241,7 @@ def _maximal(field: NumberField) -> tuple[flint.fmpq_mat, int]:
 
 
 def integral_basis(field: NumberField) -> tuple[FieldElement, ...]:
-    """Return a basis over ℤ of the integers of the field, of degrees 0, 1, … in s, 1 first."""
+    """Return a basis over ℤ of the ring of integers of the field, of degrees 0, 1, … in s, 1 first."""
     return tuple(_elements(field, _maximal(field)[0]))
 
 
@@ -245,7 +251,7 @@ def discriminant(field: NumberField) -> int:
 
 
 def small_integer(field: NumberField, size: int, rng: Random) -> FieldElement:
-    """Return a random integer of the field with coordinates of at most that size."""
+    """Return a random integer of the field with coordinates of at most the given size."""
     x: FieldElement = field.zero
     for w in field.integral_basis():
         x = x + w * rng.randint(-size, size)

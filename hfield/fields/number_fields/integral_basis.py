@@ -1,4 +1,4 @@
-"""Numbers of a number field by their coordinates in the integral basis, and back."""
+"""Convert elements of a number field to coordinates in the integral basis, and back."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
 
 
 def coordinate_rows(field: NumberField, elements: Sequence[FieldElement]) -> flint.fmpq_mat:
-    """Return a matrix: the coordinates of elements in the integral basis, row by row."""
+    """Return a matrix whose rows are the coordinates of elements in the integral basis."""
     n = field.degree
     entries = [c for x in elements for c in coefficients(x)]
     return flint.fmpq_mat(len(elements), n, entries) * _integral(field)[1]

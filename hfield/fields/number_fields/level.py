@@ -18,7 +18,7 @@ SEARCHED = 6_000  # elements x tried for −1 = x² + y², fewer in degree 16 an
 
 
 def level(field: NumberField) -> Fact:
-    """Return ∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
+    """Return ∞ if there is a real place; else 1, 2 or 4, where 4 requires an odd local degree above 2."""
     if field.signature[0]:
         return Fact(INFINITY, f"{field.name} has a real place, so it has an ordering")
     squares = field.minus_one_as_squares()
@@ -36,7 +36,7 @@ def level(field: NumberField) -> Fact:
 
 
 def minus_one_as_squares(field: NumberField) -> tuple[FieldElement, ...]:
-    """Return as many numbers as the level whose squares add up to −1, if small ones exist; else ()."""
+    """Return numbers whose squares add up to −1, as many as the level, if small ones exist; else ()."""
     if field.signature[0]:
         return ()
     root = field.sqrt(field(-1))
@@ -59,7 +59,9 @@ def minus_one_as_squares(field: NumberField) -> tuple[FieldElement, ...]:
 
 
 def _divisors(n: int) -> list[int]:
-    """Return products other than 1 of 2 and different primes of n, of the six smallest."""
+    """Return the products, other than 1, of distinct numbers among the six smallest of 2 and the
+    primes of n.
+    """
     out = [1]
     for p in sorted({2, *factorise(n)})[:6]:
         out += [p * m for m in out]

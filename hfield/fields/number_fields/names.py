@@ -17,9 +17,9 @@ _SUM = re.compile(rf"QQ?\(([^,]*(?:{NUMBER})[^,]*)\)")
 
 
 def read_number_field(s: str) -> Ring | None:
-    """Return the number field named by a text without spaces, other than ℚ(√d); None for other texts.
+    """Return the number field other than ℚ(√d) that a text without spaces names; None for other texts.
 
-    Nor does it read ``QQ[x]/(f)`` for a reducible f in x. Raises :class:`RingError`.
+    ``QQ[x]/(f)`` with a reducible f in x is not read either. Raises :class:`RingError`.
     """
     if m := _QUOTIENT.fullmatch(s):
         try:
@@ -39,6 +39,6 @@ def read_number_field(s: str) -> Ring | None:
 
 
 def _is_quadratic(text: str) -> bool:
-    """Return whether a text is one square root, whose field is a quadratic one."""
+    """Return whether a text is a single square root, so that its field is quadratic."""
     m = re.fullmatch(r"sqrt\((.*)\)", text)
     return text == "I" or (m is not None and is_balanced(m[1]))

@@ -1,4 +1,6 @@
-"""The places of number fields: real and complex ones, prime ideals; listed, and read from their texts."""
+"""The places of number fields, real places, complex places and prime ideals: listed, and read from their
+texts.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class _InfinitePlace:
-    """A place at infinity: a root of the polynomial of the field, and its conjugate."""
+    """A place at infinity: a root of the field's polynomial, up to complex conjugation."""
 
     field: NumberField
     index: int
@@ -39,12 +41,12 @@ class _InfinitePlace:
         return {"kind": "real" if isinstance(self, RealPlace) else "complex", "number": self.index}
 
     def value(self, x: FieldElement, digits: int = 15) -> flint.acb:
-        """Return the image of x, a complex ball of flint with so many correct digits."""
+        """Return the image of x, a complex ball of flint with ``digits`` correct digits."""
         return self.field.embed(x, self.index, digits)
 
 
 class RealPlace(_InfinitePlace):
-    """A real place: ``index`` counts the real roots of the polynomial from 0, ascending."""
+    """A real place; ``index`` is the number of the real root of the polynomial, ascending from 0."""
 
     def sign(self, x: FieldElement) -> int:
         """Return the sign of x there: −1, 0 or 1."""
@@ -73,7 +75,7 @@ def finite_places(field: NumberField) -> Iterator[PrimeIdeal]:
 def place_of_number_field(field: NumberField, place: object) -> Place:
     """Read a place: a place of the field, its text, or a prime with a single place above it.
 
-    Raises :class:`RingError` for what is none, or a place of another field.
+    Raises :class:`RingError` for other values, and for a place of another field.
     """
     if isinstance(place, (PrimeIdeal, _InfinitePlace)):
         if place.field == field:

@@ -1,9 +1,9 @@
 """Prime ideals of number fields: e, f, two generators, valuations, residue fields.
 
-Where ℤ[s] is maximal at p the polynomial of s modulo p tells all (Kummer and Dedekind). Elsewhere the
-algebra O/pO of a p-maximal order is taken apart (:mod:`.residue_algebra`).
-Each prime P gets a π with (p, π) = P, a β in pP⁻¹ that is not in pO, with which valuations are counted
-(Cohen, algorithm 4.8.17), and an idempotent ε modulo p, 1 at P and 0 at the other primes above p.
+If ℤ[s] is maximal at p, the polynomial of s modulo p determines everything (Kummer and Dedekind). Otherwise
+the algebra O/pO of a p-maximal order is decomposed (:mod:`.residue_algebra`). Each prime P has a π with (p,
+π) = P; a β in pP⁻¹ that is not in pO, with which valuations are computed (Cohen, algorithm 4.8.17); and an
+idempotent ε modulo p, which is 1 at P and 0 at the other primes above p.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ class PrimeIdeal:
     """A prime ideal P above p, with ramification index ``e`` and residue degree ``f``.
 
     (p, ``pi``) = P; ``beta`` is in pP⁻¹, not in pO; ``idempotent`` is 1 at P and 0 at the other primes above
-    p. ``residue`` is an irreducible polynomial over GF(p): the residue field is GF(p)[x] modulo it, and
-    ``residue_gen`` an integer of the field that goes to x. ``images``, where the order is not ℤ[s], is the
-    matrix that takes coordinates to residues. Without ``epsilon`` the order is ℤ[s] at p, and the idempotent
+    p. ``residue`` is an irreducible polynomial over GF(p), the residue field is GF(p)[x] modulo it, and
+    ``residue_gen`` is an integer of the field with residue x. If the order is not ℤ[s], ``images`` is the
+    matrix that maps coordinates to residues. Without ``epsilon`` the order is ℤ[s] at p, and the idempotent
     is computed on first use.
 
     >>> from hfield import ring
@@ -101,7 +101,7 @@ class PrimeIdeal:
 
     @property
     def short_name(self) -> str:
-        """The text in names of completions: ``pi`` need not be an integer away from p."""
+        """The text used in names of completions, where ``pi`` need not be an integer away from p."""
         return str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.pi)})"
 
     __repr__ = __str__
@@ -125,11 +125,11 @@ class PrimeIdeal:
         return not y or (self.field.is_integral(y) and self.valuation(y) > 0)
 
     def valuation(self, x: FieldElement) -> int:
-        """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
+        """Return the valuation of x ≠ 0 at P. Raises :class:`RingError` for 0."""
         return self.unit_part(self.field(x))[0]
 
     def unit_part(self, x: FieldElement) -> tuple[int, FieldElement]:
-        """Return ``(v, u)``: the valuation of x ≠ 0, and x·(β/p)^v up to the square of a number."""
+        """Return ``(v, u)``: the valuation of x ≠ 0, and x·(β/p)^v, times the square of a number."""
         if not x:
             raise RingError("0 has no valuation: it lies in every power of a prime ideal")
         order, p = self.order, self.p
@@ -150,7 +150,9 @@ class PrimeIdeal:
 
     @cached_property
     def idempotent(self) -> FieldElement:
-        """An integer that is 1 modulo the power of the ideal in p, and 0 modulo those of the others."""
+        """An integer that is 1 modulo the power of this ideal in p, and 0 modulo the powers of the other
+        ideals.
+        """
         if self._epsilon is not None:
             return self._epsilon
         part = self.residue**self.e
@@ -158,7 +160,7 @@ class PrimeIdeal:
 
     @cached_property
     def uniformiser(self) -> FieldElement:
-        """An integer of valuation 1 here, and 0 at the other primes above p."""
+        """An integer of valuation 1 here and valuation 0 at the other primes above p."""
         if self.is_inert:
             found: FieldElement = self.field(self.p)
             return found
@@ -191,7 +193,9 @@ class PrimeIdeal:
         return self._residue(self.integral(x))
 
     def integral(self, x: FieldElement) -> FieldElement:
-        """Return x, of valuation ≥ 0, times the square of a number that is 1 modulo P, integral at p."""
+        """Return x, of valuation ≥ 0, times the square of a number that is 1 modulo P; the product is
+        integral at p.
+        """
         if self.order.content(x) < 0 and self.valuation(x) < 0:
             raise RingError(f"{shorten(x)} has no residue at {self}: its valuation is negative")
         while self.order.content(x) < 0:
@@ -224,7 +228,7 @@ def primes_above(field: NumberField, p: object) -> tuple[PrimeIdeal, ...]:
 
 
 def _prime_above(field: NumberField, p: int, pi: FieldElement) -> PrimeIdeal:
-    """Return the prime ideal above p whose second generator is that number."""
+    """Return the prime ideal above p with the second generator ``pi``."""
     return next(P for P in _primes_above(field, p) if P.pi == pi)
 
 
@@ -235,7 +239,7 @@ def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
 
 @lru_cache(maxsize=4096)
 def general_primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
-    """Return the prime ideals above a prime number p as they are found in every number field."""
+    """Return the prime ideals above a prime number p by the method that works in every number field."""
     order = local_order(field, p)
     if order.plain:
         return _by_kummer(order)
@@ -268,7 +272,7 @@ def _modulo_p(order: LocalOrder) -> flint.nmod_poly:
 
 
 def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
-    """Read the primes off the polynomial of s modulo p."""
+    """Return the primes, read off the polynomial of s modulo p."""
     field, p, f = order.field, order.p, _modulo_p(order)
     out = []
     for g, e in sorted_factors(f):

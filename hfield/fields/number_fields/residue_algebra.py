@@ -1,7 +1,7 @@
 """Decompose the algebra O/pO of an order of a number field into local algebras, one for each prime above
 p.
 
-Where ℤ[s] is not maximal at p, its primitive idempotents tell the primes (Buchmann and Lenstra; H. Cohen,
+If ℤ[s] is not maximal at p, its primitive idempotents determine the primes (Buchmann and Lenstra; H. Cohen,
 *A Course in Computational Algebraic Number Theory*, section 6.2).
 """
 
@@ -61,7 +61,7 @@ class _ResidueAlgebra:
         return flint.nmod_mat(1, self.n, [v % self.p for v in values], self.p)
 
     def matrix(self, x: flint.nmod_mat) -> flint.nmod_mat:
-        """Return the matrix of the multiplication by x."""
+        """Return the matrix of multiplication by x."""
         total = flint.nmod_mat(self.n, self.n, [0] * self.n**2, self.p)
         for c, m in zip(x.entries(), self.table, strict=True):
             if int(c):
@@ -82,13 +82,13 @@ class _ResidueAlgebra:
         return self.order.element(int(c) for c in x.entries())
 
     def span(self, rows: list[flint.nmod_mat]) -> list[flint.nmod_mat]:
-        """Return a basis, in reduced echelon form, of what rows span."""
+        """Return a basis, in reduced echelon form, of the space that the rows span."""
         entries = [int(c) for row in rows for c in row.entries()]
         reduced, rank = flint.nmod_mat(len(rows), self.n, entries, self.p).rref()
         return [self.row([int(c) for c in r]) for r in reduced.tolist()[:rank]]
 
     def idempotents(self, count: int) -> list[flint.nmod_mat]:
-        """Return the primitive idempotents, as many as said."""
+        """Return the ``count`` primitive idempotents."""
         rng, found = Random(1), [self.one]
         while len(found) < count:
             x = self.random(rng)
@@ -99,7 +99,7 @@ class _ResidueAlgebra:
         return found
 
     def prime_count(self) -> int:
-        """Return the number of primes: the dimension of the x with xᵖ = x, modulo the radical."""
+        """Return the number of primes: the dimension of the space of x with xᵖ = x, modulo the radical."""
         frobenius = [self.one * m**self.p for m in self.table]
         radical = [self.row(r) for r in self.radical]
         n = self.n
@@ -148,7 +148,9 @@ def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> PrimeId
 def _residue_field(
     algebra: _ResidueAlgebra, epsilon: flint.nmod_mat, inside: list[flint.nmod_mat], f: int
 ) -> tuple[flint.nmod_poly, flint.nmod_mat, flint.nmod_mat]:
-    """Return a polynomial that makes the residue field, its root, and the matrix that takes residues."""
+    """Return a polynomial that defines the residue field, its root, and the matrix that maps coordinates to
+    residues.
+    """
     p, n, rng = algebra.p, algebra.n, Random(1)
     project = algebra.matrix(epsilon)
     while True:
@@ -174,7 +176,7 @@ def _residue_field(
 def _combination(
     algebra: _ResidueAlgebra, basis: list[flint.nmod_mat], target: flint.nmod_mat
 ) -> list[int]:
-    """Return coefficients of a vector in linearly independent ones."""
+    """Return the coefficients of a vector in terms of linearly independent ones."""
     rows = [*basis, target]
     entries = [int(c) for v in rows for c in v.entries()]
     relation = left_kernel(flint.nmod_mat(len(rows), algebra.n, entries, algebra.p))[0]

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class LocalPlace(ResidueField):
     """A prime ideal P; residues are polynomials over GF(p) modulo ``P.residue``.
 
-    ``uniformiser`` and ``inverse_uniformiser`` have valuation 1 and −1 here, and the second is integral at
-    all other primes; they are no inverses.
+    ``uniformiser`` has valuation 1 here and ``inverse_uniformiser`` −1; the second is integral at all other
+    primes. They are not inverse to each other.
     """
 
     def __init__(self, prime: PrimeIdeal) -> None:
@@ -41,7 +41,7 @@ class LocalPlace(ResidueField):
         return self.prime.lift(x)
 
     def valuation(self, x: FieldElement) -> int:
-        """Return the order of a nonzero number at P."""
+        """Return the valuation of a nonzero number at P."""
         return self.prime.valuation(x)
 
     def reduce(self, x: FieldElement) -> flint.nmod_poly:
@@ -49,7 +49,7 @@ class LocalPlace(ResidueField):
         return self.prime.residue_of(x)
 
     def truncated(self, x: FieldElement, n: int) -> FieldElement:
-        """Return Σ dₖ·πᵏ with k < n and residues dₖ, lifted, that is x up to Pⁿ."""
+        """Return the sum of dₖ·πᵏ over k < n, with lifted residues dₖ, that agrees with x up to Pⁿ."""
         total: FieldElement = x.field.zero
         if not x:
             return total

@@ -1,4 +1,4 @@
-"""Storage of elements over a number field: ints for small degree, else polynomials over a common
+"""Storage of elements over a number field: ints for small degrees, else polynomials over a common
 denominator.
 """
 
@@ -113,7 +113,7 @@ class IntegralPolynomials(CommonDenominatorStorage[Polynomials, FieldElement]):
         return super().names() | self._constants | tools
 
     def settle(self, names: list[str]) -> list[str]:
-        """Write how to reduce polynomials and return them over d in lowest terms."""
+        """Return code that reduces polynomials and returns them over d in lowest terms."""
         reduced = ", ".join(f"{name} % n" for name in names)
         return [f"return lowest({reduced}, d)"]
 
@@ -128,7 +128,7 @@ class IntegralPolynomials(CommonDenominatorStorage[Polynomials, FieldElement]):
         return (w, x, y, z, d) if g == 1 else (w // g, x // g, y // g, z // g, d // g)
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation; the inverse goes through that of the norm."""
+        """Return the source text of an operation; the inverse is computed from the inverse of the norm."""
         if operation == "inverse":
             return "def inverse(p):\n    return by_norm(p)"
         return super().source(operation)

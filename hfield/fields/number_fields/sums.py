@@ -1,4 +1,4 @@
-"""Sums of algebraic numbers: their polynomials, and both numbers as polynomials in the sum."""
+"""Sums of algebraic numbers: their minimal polynomials, and both numbers as polynomials in the sum."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Value = Callable[[int], flint.acb]
 
 
 def factor_at(polynomial: flint.fmpq_poly, value: Value) -> flint.fmpq_poly:
-    """Return the irreducible factor, monic, of which a number is a root."""
+    """Return the monic irreducible factor that has a given number as a root."""
     factors = [g / g.leading_coefficient() for g, _ in polynomial.factor()[1]]
     bits = BITS
     while len(factors) > 1:
@@ -42,8 +42,8 @@ def _at(polynomial: flint.fmpq_poly, z: flint.acb) -> flint.acb:
 def roots_in(field: NumberField, f: flint.fmpq_poly) -> list[FieldElement]:
     """Return the roots in the field of an irreducible polynomial over ℚ (Trager, 1976).
 
-    The polynomial of all sums of a root of f and a multiple of s has a factor of the degree of the field for
-    each of them.
+    The polynomial of all sums of a root of f and a multiple of s has, for each such root, a factor whose
+    degree is that of the field.
     """
     f = f / f.leading_coefficient()
     for scale in range(1, 100):
@@ -95,7 +95,7 @@ def _newton_sums(f: flint.fmpq_poly, count: int) -> list[flint.fmpq]:
 def common_root(
     field: NumberField, f: flint.fmpq_poly, g: flint.fmpq_poly, scale: flint.fmpq | int
 ) -> FieldElement:
-    """Return the one common root β of f(x) and g(θ − scale·x), θ the generator."""
+    """Return the only common root β of f(x) and g(θ − scale·x), where θ is the generator."""
     line = [field.gen, field(-scale)]
     first = [field(c) for c in f.coeffs()]
     second = [field(0)]

@@ -1,13 +1,13 @@
-"""Hilbert symbols over number fields: tame ones by residues, dyadic ones by defects, real ones by signs.
+"""Hilbert symbols over number fields: tame symbols by residues, dyadic ones by defects, real ones by signs.
 
-At prime ideals above 2, however ramified, every unit is a square times 1 + γ with the valuation d of γ as
-large as can be: d is odd and below 2e, or 2e (then the root of the unit is unramified), or the unit is a
-square (O'Meara, *Introduction to Quadratic Forms*, §63). Two identities bring any symbol down to these:
-(1 + γ, −γ) = 1, and, as (x, y) = 1 where x + y = 1,
+At prime ideals above 2, however ramified, every unit is a square times 1 + γ, where the valuation d of γ is
+as large as possible. Either d is odd and below 2e; or d = 2e, and then the root of the unit is unramified; or
+the unit is a square (O'Meara, *Introduction to Quadratic Forms*, §63). Two identities reduce every symbol to
+these cases: (1 + γ, −γ) = 1, and, because (x, y) = 1 if x + y = 1,
 
     (1 + γ, 1 + δ) = (1 − γδ, γ(1 + γ)(1 + δ)),
 
-whose first entry is closer to 1 than both. A unit matters modulo P^(2e+1) alone, so numbers stay small.
+whose first entry is closer to 1 than both. A unit matters only modulo P^(2e+1), so numbers stay small.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from hfield.fields.number_fields.places import Place, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.ring import NumberField
 
-DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with room for what is divided by uniformisers
+DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with a margin for divisions by uniformisers
 
 
 class DyadicPrime:
     """A prime ideal above 2, with data for the square classes of its completion.
 
-    Numbers are written ϖᵛ·u, up to squares, with ϖ the inverse of ``P.inverse_uniformiser``.
+    Up to squares, numbers are written ϖᵛ·u, where ϖ is the inverse of ``P.inverse_uniformiser``.
     """
 
     def __init__(self, prime: PrimeIdeal) -> None:
@@ -51,7 +51,7 @@ class DyadicPrime:
         return self._unit_symbol(i, u, w)
 
     def _class(self, x: FieldElement) -> tuple[int, FieldElement]:
-        """Return the parity of the valuation of x, and the unit that is left, up to squares."""
+        """Return the parity of the valuation of x, and the remaining unit, up to squares."""
         v, unit = self.prime.unit_part(x)
         return v % 2, self._cut(self.prime.integral(unit))
 
@@ -76,7 +76,7 @@ class DyadicPrime:
             )
 
     def defect(self, u: FieldElement) -> tuple[int, FieldElement]:
-        """Return ``(d, γ)``: u is 1 + γ up to a square, and d, the valuation of γ, is the defect.
+        """Return ``(d, γ)`` such that u is 1 + γ up to a square; d, the valuation of γ, is the defect.
 
         It is 2e + 1 for a square.
         """
@@ -97,8 +97,8 @@ class DyadicPrime:
     def square_class(self, x: FieldElement) -> int:
         """Return the unit part of x modulo squares as e·f + 1 binary digits, a homomorphism.
 
-        They are the exponents of 1 + ω·ϖᵈ, ω running through a basis of the residues and d odd and below 2e,
-        and of a unit of defect 2e.
+        They are the exponents of 1 + ω·ϖᵈ, for ω in a basis of the residue field and odd d below 2e, and of a
+        unit of defect 2e.
         """
         prime, found = self.prime, 0
         _, u = self._class(x)
@@ -155,14 +155,14 @@ class DyadicPrime:
         return self.prime.order.truncated(x, DIGITS)
 
     def _root(self, x: flint.nmod_poly) -> flint.nmod_poly:
-        """Return the square root of an element of the residue field, of 2^f elements."""
+        """Return the square root of an element of the residue field, which has 2^f elements."""
         return x.pow_mod(2 ** (self.prime.f - 1), self.prime.residue)
 
     def _invert(self, x: flint.nmod_poly) -> flint.nmod_poly:
         return x.pow_mod(2**self.prime.f - 2, self.prime.residue)
 
     def _has_trace_0(self, x: flint.nmod_poly) -> bool:
-        """Return whether t² + t = x has a root: whether the trace of x is 0."""
+        """Return whether t² + t = x has a root, that is, whether the trace of x is 0."""
         total = x
         for _ in range(self.prime.f - 1):
             x = x * x % self.prime.residue
@@ -196,7 +196,9 @@ def square_class(prime: PrimeIdeal, x: FieldElement) -> int:
 
 
 def _tame(prime: PrimeIdeal, a: FieldElement, b: FieldElement) -> int:
-    """Return the symbol above an odd prime: whether (−1)^(v(a)v(b))·u(a)^v(b)·u(b)^v(a) is a square there."""
+    """Return the symbol above an odd prime: 1 if (−1)^(v(a)v(b))·u(a)^v(b)·u(b)^v(a) is a square there, else
+    −1.
+    """
     (v, u), (w, t) = prime.unit_part(a), prime.unit_part(b)
     if not v % 2:
         if not w % 2:
@@ -233,7 +235,7 @@ def candidates(field: NumberField, x: FieldElement) -> set[int]:
 
 
 def norms(field: NumberField, x: FieldElement) -> tuple[int, int, int]:
-    """Return a norm, a denominator and the content of x: their prime divisors are the candidates."""
+    """Return a norm, a denominator and the content of x; their prime divisors are the candidates."""
     scale, _ = integral_generator(field)
     terms = [c / flint.fmpq(scale) ** k for k, c in enumerate(x.poly.coeffs())]
     below = math.lcm(*(int(c.q) for c in terms))
@@ -250,7 +252,8 @@ def finite_ramified(a: FieldElement, b: FieldElement, primes: set[int]) -> Itera
 
 
 def ramified_places_number_field(a: FieldElement, b: FieldElement) -> tuple[Place, ...]:
-    """Return the places where ``(a, b | K)`` does not split: prime ideals ascending, then real places.
+    """Return the places at which ``(a, b | K)`` does not split: prime ideals in ascending order, then real
+    places.
 
     The norms of a and b are factored. Raises :class:`UnfactoredError`.
     """

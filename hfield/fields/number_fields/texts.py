@@ -1,4 +1,4 @@
-"""How number fields are written: polynomials over ℚ, proved irreducible, and numbers that have names."""
+"""How number fields are written: by polynomials over ℚ, proved irreducible, and by numbers with names."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ NUMBER = r"(?:sqrt|cbrt|root)\([^()]*\)|\bzeta(?:_?\d+|\(\d+\))|\bI\b"
 
 
 def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -> str:
-    """Write a polynomial, highest power first; the rational coefficients are given low degree first."""
+    """Write a polynomial, highest power first, given its rational coefficients, low degree first."""
     terms = [(number_text(c, style), [(name, n)]) for n, c in enumerate(coefficients) if c != 0]
     return sum_text(reversed(terms), style)
 
@@ -28,7 +28,7 @@ class ReducibleError(RingError):
 
 
 def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly:
-    """Return an irreducible polynomial over ℚ, made monic, from its text or as flint's.
+    """Return an irreducible polynomial over ℚ, made monic, from its text or from a flint polynomial.
 
     Raises :class:`RingError`.
     """
@@ -56,7 +56,9 @@ def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly
 
 
 def _read(text: str, name: str) -> flint.fmpq_poly:
-    """Read a polynomial in the variable of that name, or, if there is but one name in it, in that."""
+    """Read a polynomial in the variable with this name or, if its text contains only one name, in that
+    variable.
+    """
     found = set(re.findall(r"[^\W\d_]\w*", from_unicode(text)))
     variable = found.pop() if len(found) == 1 else name
     functions = {"/": _quotient, "**": _power}

@@ -1,16 +1,18 @@
 """Isometries of the pure quaternions of two isomorphic algebras over a number field, by lattice reduction.
 
-Let A₀ and B₀ be the quaternions of trace 0. An isometry of them is the graph of a totally isotropic subspace
-of A₀ ⊥ −B₀, where the difference of the norms is hyperbolic at every place. (In division algebras all such
-subspaces are graphs, because no vector of A₀ or B₀ but 0 has norm 0.) On some module this form is even and
-unimodular: at a prime ideal the standard lattice is enlarged by vectors v/π with Q(v/π) integral, v in the
-radical modulo the prime. This ends at a maximal lattice, which is unimodular, above 2 too. A walk through
-reduced bases of the module finds a zero u, another one finds a zero in u⊥/u, and the third is a square root.
-So only the norms of the constants are factored, and images are about as long as the constants.
+Let A₀ and B₀ be the quaternions of trace 0. An isometry between them is the graph of a totally isotropic
+subspace of A₀ ⊥ −B₀, and on this space the difference of the norms is hyperbolic at every place. (In division
+algebras all such subspaces are graphs, because only 0 has norm 0 in A₀ or B₀.) On some module this form is
+even and unimodular. To find it, the standard lattice is enlarged at each prime ideal by vectors v/π with
+Q(v/π) integral, v in the radical modulo the prime, until the lattice is maximal; then it is unimodular, also
+above 2. A walk through reduced bases of the module finds a zero u, a second walk finds a zero in u⊥/u, and
+the third zero requires only a square root. So only the norms of the constants are factored, and the images
+are about as long as the constants.
 
-Over ℚ, a number field of degree 1, a shortest vector of the module is a zero: the least value of the definite
-form with the absolute values of the coefficients is at most γ₆/2 < 1, γ₆ = (64/3)^(1/6) Hermite's constant,
-and at least that of the form, which is integral. The same holds on u⊥/u, where γ₄/2 < 1.
+Over ℚ, a number field of degree 1, a shortest vector of the module is a zero. The least value of the definite
+form with the absolute values of the coefficients is at most γ₆/2 < 1, where γ₆ = (64/3)^(1/6) is Hermite's
+constant; it bounds the absolute value of the form there, and the form is integral. The same holds on u⊥/u,
+where γ₄/2 < 1.
 """
 
 from __future__ import annotations
@@ -47,8 +49,9 @@ def isometry(
 ) -> list[Vector]:
     """Return the rows of an isometry between diagonal ternary forms over K.
 
-    Row n holds the image of the n-th basis vector of the source. The forms have integral coefficients, units
-    outside ``primes``, which contain 2, and are isometric. Raises :class:`UndecidedError` where none was met.
+    Row n is the image of the n-th basis vector of the source. The forms have integral coefficients, units
+    outside ``primes``, which include 2, and are isometric. Raises :class:`UndecidedError` if no isometry was
+    found.
     """
     none = f"two algebras over {field.name} are isomorphic, but no isomorphism"
     expect_small_degree(field, none)
@@ -64,9 +67,11 @@ def isometry(
 
 
 def _complement(field: NumberField, form: Vector, basis: list[Vector], u: Vector) -> list[Vector]:
-    """Return vectors orthogonal to u that are modulo u a basis over ℤ of what the module has of such.
+    """Return vectors orthogonal to u that form, modulo u, a basis over ℤ of the orthogonal part of the
+    module.
 
-    They are determined by four coordinates: the i-th is made 0 by a multiple of u, the j-th follows.
+    They are determined by four coordinates: the i-th is made 0 by subtracting a multiple of u, and the j-th
+    follows.
     """
     n = field.degree
     weights = [f * x for f, x in zip(form, u, strict=True)]
@@ -99,7 +104,7 @@ def _last(field: NumberField, form: Vector, u: Vector, v: Vector) -> Iterator[Ve
     )
     rows = [[f * x for f, x in zip(form, w, strict=True)] for w in (u, v)]
     rows += [[field.one if k == m else field.zero for k in range(len(u))] for m in (i, j)]
-    g, h = kernel(field, rows, len(u))  # a complement of u and v in what is orthogonal to them
+    g, h = kernel(field, rows, len(u))  # a complement of u and v in their orthogonal space
     f, mixed, last = (_value(form, x, y) for x, y in ((g, g), (g, h), (h, h)))
     if not f:
         pairs = [(field.one, field.zero), (last, mixed * -2)]
@@ -112,7 +117,7 @@ def _last(field: NumberField, form: Vector, u: Vector, v: Vector) -> Iterator[Ve
 
 
 def _graph(field: NumberField, isotropic: list[Vector]) -> list[Vector] | None:
-    """Return the matrix of which a space is the graph, or None if it is none."""
+    """Return the matrix whose graph is the space, or None if the space is not a graph."""
     columns = kernel(field, [[*w[:3], *(-x for x in w[3:])] for w in isotropic], 6)
     if any(v[3:].count(field.zero) < 2 for v in columns):
         return None
@@ -122,7 +127,7 @@ def _graph(field: NumberField, isotropic: list[Vector]) -> list[Vector] | None:
 def unimodular_module(field: NumberField, form: Vector, primes: Iterable[int]) -> list[Vector]:
     """Return a basis over ℤ of a module in Kⁿ on which a diagonal form is unimodular at each prime ideal.
 
-    The coefficients are integers of the field, and units outside ``primes``, which contain 2. The form must
+    The coefficients are integers of the field, and units outside ``primes``, which include 2. The form must
     be hyperbolic in each completion.
     """
     n = len(form)
@@ -135,9 +140,10 @@ def unimodular_module(field: NumberField, form: Vector, primes: Iterable[int]) -
 
 
 def _enlarged(form: Vector, place: LocalPlace) -> list[Vector]:
-    """Return vectors that make the standard lattice a maximal one at a place; they are integral elsewhere.
+    """Return vectors that enlarge the standard lattice to a maximal one at a place; they are integral
+    elsewhere.
 
-    Where 2 is a unit, the coefficients that are units span a unimodular part, which nothing enlarges.
+    If 2 is a unit, the coefficients that are units span a unimodular part, which cannot be enlarged.
     """
     valuations = [place.valuation(f) for f in form]
     chosen = [i for i, m in enumerate(valuations) if place.even or m]
@@ -171,19 +177,19 @@ def _enlarged(form: Vector, place: LocalPlace) -> list[Vector]:
 
 
 def _combination(scalars: Vector, rows: list[Vector]) -> Vector:
-    """Return a sum of multiples of rows; of scalars that are 0 nothing is computed."""
+    """Return a linear combination of rows; rows with scalar 0 are skipped."""
     terms = [[c * x for x in row] for c, row in zip(scalars, rows, strict=True) if c]
     return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
 
 
 def _value(form: Vector, u: Vector, v: Vector) -> FieldElement:
-    """Return half of Q(u + v) − Q(u) − Q(v), which is Q(u) for u = v."""
+    """Return half of Q(u + v) − Q(u) − Q(v), which equals Q(u) for u = v."""
     value: FieldElement = dot([f * x for f, x in zip(form, u, strict=True)], v)
     return value
 
 
 def _singular(gram: list[Vector], place: LocalPlace, radical: list[Vector]) -> Vector:
-    """Return a v of the radical modulo the prime with Q(v) in P², whichever number lifts it."""
+    """Return a v in the radical modulo the prime with Q(v) in P², whichever number lifts it."""
     lifted = [[place.lift(x) for x in v] for v in radical]
     if place.even:  # on the radical Q is additive modulo P
         values = [dot(v, _combination(v, gram)) for v in lifted]
@@ -241,8 +247,8 @@ def embed_number_field(
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
 
-    Both are isomorphic, with t = 0. Raises :class:`UnfactoredError`, and :class:`UndecidedError` where no
-    isometry was met.
+    Both are isomorphic, with t = 0. Raises :class:`UnfactoredError`, and :class:`UndecidedError` if no
+    isometry was found.
     """
     numbers = [outer.a, outer.b, inner.a, inner.b]
     r, s, x, y = map(integral_multiple, numbers)

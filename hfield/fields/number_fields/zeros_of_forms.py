@@ -1,9 +1,9 @@
 """Search for zeros of a diagonal form over a number field K in a module in Kᵐ.
 
-The majorant of the form is the sum of the absolute values of its terms over the infinite places. For a module
-on which the form is good at every prime the volume depends on the discriminant of the field alone, so after
-reduction (LLL) a zero is among small combinations, if the field is small. The majorant is changed at random
-by automorphisms of the form at the infinite places until a zero turns up.
+The majorant of the form is the sum of the absolute values of its terms over the infinite places. If the form
+is unimodular at every prime on the module, the volume depends only on the discriminant of the field. So for a
+small field a zero is among the small combinations after reduction (LLL). The majorant is changed at random by
+automorphisms of the form at the infinite places until a zero is found.
 """
 
 from __future__ import annotations
@@ -43,25 +43,25 @@ SCALE = 2.0**40
 
 
 def expect_small_degree(field: NumberField, what: str) -> None:
-    """Refuse a search over a field of large degree. Raises :class:`UndecidedError`."""
+    """Raise :class:`UndecidedError` for a search over a field of large degree."""
     if field.degree > MAX_DEGREE:
         raise UndecidedError(f"{what} was sought: the degree is over {MAX_DEGREE}")
 
 
 def not_met(what: str) -> UndecidedError:
-    """Return the error for a search that found none of something."""
+    """Return the error for a search that did not find what it was looking for."""
     return UndecidedError(
         f"{what} was found among {COMBINATIONS} combinations of each of {MAX_BASES} reduced bases, or of more"
     )
 
 
 class ZeroSearch:
-    """A lattice in Kᵐ with a diagonal form, and an endless supply of reduced bases of it.
+    """A lattice in Kᵐ with a diagonal form, and an unlimited supply of reduced bases of it.
 
-    ``points`` are the basis at the infinite places, where the form is a sum of squares of m complex
-    numbers, m after m; the largest of them is 1. With an isotropic vector ``modulo`` the lattice lies in its
-    orthogonal complement, and is looked at modulo its multiples: ``points`` are orthogonal to it, and it is
-    the last of them.
+    ``points`` contains the values of the basis at the infinite places, where the form is a sum of squares of
+    m complex numbers, m after m; the largest absolute value is 1. With an isotropic vector ``modulo``, the
+    lattice lies in its orthogonal complement and is considered modulo its multiples: ``points`` are
+    orthogonal to it, and it is the last of them.
     """
 
     def __init__(
@@ -75,7 +75,7 @@ class ZeroSearch:
 
     @cached_property
     def signs(self) -> list[list[int] | None]:
-        """The signs of the form at each infinite place, None at a complex one."""
+        """The signs of the form at each infinite place; None at a complex one."""
         embeddings = self.field.embeddings
         return [
             [embeddings.sign(f.poly, k) for f in self.form] if k < self.real else None
@@ -83,7 +83,7 @@ class ZeroSearch:
         ]
 
     def _first(self) -> list[list[complex]]:
-        """Reduce the basis exactly; return it at the infinite places."""
+        """Reduce the basis exactly; return its values at the infinite places."""
         size = max(
             abs(int(c.p)).bit_length() + int(c.q).bit_length()
             for v in (self.form, *self.basis, *self.modulo)
@@ -125,7 +125,9 @@ class ZeroSearch:
         )
 
     def _apart(self, points: list[list[Z]]) -> list[list[Z]]:
-        """Return points less multiples of the last, so that they are orthogonal to it for the majorant."""
+        """Return the points minus multiples of the last, so that they are orthogonal to it for the
+        majorant.
+        """
         if not self.modulo:
             return points
         out: list[list[Z]] = []
@@ -144,9 +146,10 @@ class ZeroSearch:
         return real_coordinates(v, self.width * self.real)
 
     def zeros(self) -> Iterator[Vector]:
-        """Yield isotropic vectors of the form among small combinations of the reduced bases.
+        """Yield isotropic vectors of the form among the small combinations of the reduced bases.
 
-        The first of them, and those reduced for other majorants, at random but always the same.
+        The first basis is reduced for the form's majorant, the others for pseudorandom majorants, the same in
+        every run.
         """
         rng = random.Random(1)
         for step in range(
@@ -187,13 +190,13 @@ class ZeroSearch:
 
 
 def _root(z: flint.acb) -> flint.acb:
-    """Return a square root of a ball; a ball around a negative number is not cut by the branch."""
+    """Return a square root of a ball; around a negative number the branch cut does not split the ball."""
     return z.sqrt() if z.real.mid() >= 0 else (-z).sqrt() * flint.acb(0, 1)
 
 
 @cache
 def _small_combinations(rank: int) -> np.ndarray:
-    """Return vectors with entries 0, 1, −1 and first nonzero entry 1, those with few nonzero entries
+    """Return the vectors with entries 0, 1, −1 and first nonzero entry 1, those with few nonzero entries
     first.
     """
     import numpy as np

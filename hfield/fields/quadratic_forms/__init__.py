@@ -1,6 +1,6 @@
-"""Symbols, conics, norm forms, splittings and isomorphisms: functions of a ring and of constants (a, t, b).
+"""Symbols, conics, norm forms, splittings and isomorphisms: functions of a ring and constants (a, t, b).
 
-``docs/reference/structure.md`` says which module decides what, and how.
+``docs/reference/structure.md`` lists which module decides what, and how.
 """
 
 import lazy_loader

@@ -1,7 +1,8 @@
-"""The protocol of the arithmetic of fields with places, with one object for each kind of field.
+"""The protocol of the arithmetic of fields with places; each kind of field has one object.
 
-A kind is a class of rings that names its ``theory``: the registry has the :class:`GlobalField` of that name.
-``docs/reference/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+A kind is a class of rings that names its ``theory``: the registry contains the :class:`GlobalField` of that
+name. ``docs/reference/structure.md`` lists the files to change for a new kind. All other modules call
+:func:`global_field`.
 """
 
 from __future__ import annotations
@@ -58,8 +59,8 @@ def known_field(ring: Ring) -> GlobalField:
 def field_named_by(*things: object) -> Ring | None:
     """Return the field with places that the first of some elements and places belongs to.
 
-    Numbers of no field have a function ``common_field`` that returns one. Raises :class:`RingError` where
-    there is none.
+    Numbers that belong to no field have a method ``common_field`` that returns one. Raises :class:`RingError`
+    if there is none.
     """
     fields = (getattr(x, "field", None) for x in things)
     named = next((F for F in fields if isinstance(F, Ring) and F.theory), None)
@@ -81,12 +82,12 @@ class GlobalField(ABC, Generic[E, P]):
     """The arithmetic of a field with places, for quaternion algebras over it.
 
     Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
-    J. Voight, *Quaternion Algebras*, chapters 12 and 14. What is not found in bounded time, or hangs on a
-    factorisation out of reach, raises :class:`hfield.UndecidedError`.
+    J. Voight, *Quaternion Algebras*, chapters 12 and 14. If something is not found in bounded time, or
+    requires a factorisation that is too hard, :class:`hfield.UndecidedError` is raised.
     """
 
-    ring: Ring[E]  # the field, of the class that names this one
-    splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    ring: Ring[E]  # the field; its class names this one
+    splits_if_unramified = True  # false if residues do not determine a constant algebra (Faddeev)
     cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
 
     def __init__(self, ring: Ring[E]) -> None:
@@ -94,7 +95,7 @@ class GlobalField(ABC, Generic[E, P]):
 
     @classmethod
     def of(cls, ring: Ring) -> GlobalField:
-        """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
+        """Return the arithmetic of a field of this kind; a kind with several cases selects one here."""
         return cls(ring)
 
     # --- places and symbols --------------------------------------------------------------------
@@ -108,14 +109,16 @@ class GlobalField(ABC, Generic[E, P]):
     ) -> int:
         """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
 
-        ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
-        Raises :class:`RingError` for a 0 and for a place that is none, :class:`UndecidedError` where
-        completions are no local fields.
+        ``factors`` may contain primes of the norms of a and b, if the symbol depends on other places. Raises
+        :class:`RingError` for a 0 and for an invalid place, and :class:`UndecidedError` if completions are
+        not local fields.
         """
         raise UndecidedError(f"the completions of {self.ring} are not local fields: use residues")
 
     def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[E, E]:
-        """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
+        """Return the elements a and b, after checking that neither is 0; in characteristic 2 the first may be
+        0.
+        """
         x, y = self.ring(a), self.ring(b)
         even = self.ring.characteristic == 2
         if self.ring.is_zero(y) or (not even and self.ring.is_zero(x)):
@@ -126,17 +129,21 @@ class GlobalField(ABC, Generic[E, P]):
 
     @abstractmethod
     def ramified(self, form: NormalForm[E]) -> tuple[P, ...]:
-        """Return the places where a form does not split: finite ones ascending, then infinite ones.
+        """Return the places at which a form does not split: finite ones in ascending order, then infinite
+        ones.
 
-        Where the field is no global field in the strict sense, the places with a residue (Faddeev).
+        If the field is not a global field in the strict sense, these are the places with a nontrivial residue
+        (Faddeev).
         """
 
     @abstractmethod
     def discriminant(self, ramified: tuple[P, ...]) -> object:
-        """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+        """Return the product of the finite places among the ramified ones, in the field's notation for
+        ideals.
+        """
 
     def why_ramified(self, form: NormalForm[E], places: tuple[P, ...]) -> str:
-        """Say why an algebra that ramifies at the places has no zero divisors."""
+        """Return the reason, as text, why an algebra that ramifies at the places has no zero divisors."""
         shown = ", ".join(map(str, places))
         return (
             f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
@@ -148,8 +155,8 @@ class GlobalField(ABC, Generic[E, P]):
         """Return constants (a, b), or (a, b, t), of an algebra that ramifies exactly at the places or their
         texts.
 
-        ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
-        how, or where there is none.
+        Over ℚ, ``infinite`` determines whether ∞ is one of the places. Raises :class:`RingError` if this is
+        not implemented for the field, or if there is no such algebra.
         """
         if infinite is not None:
             raise no_flag(self.ring)
@@ -158,23 +165,23 @@ class GlobalField(ABC, Generic[E, P]):
         )
 
     def ramified_at_small_places(self, form: NormalForm[E]) -> tuple[P, ...]:
-        """Return some places where a form does not split, without factoring anything."""
+        """Return some places at which a form does not split, without factoring anything."""
         return ()
 
     # --- zeros of norm forms, and why there are none -------------------------------------------
 
     @abstractmethod
     def unramified_zero(self, c: Constants, form: NormalForm[E]) -> ZeroNorm:
-        """Return an element of norm 0 of an algebra without ramified places, as :meth:`ramified` finds them.
+        """Return an element of norm 0 of an algebra for which :meth:`ramified` returns no places.
 
-        It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
-        that there is none.
+        If ``splits_if_unramified``, there is one by the theorem of Hasse and Minkowski; else the answer may
+        be that there is none.
         """
 
     def residues(self, place: P) -> FinitePlace | None:
         """Return a finite place with its residue field, as in :mod:`hfield.fields.base.finite_places`.
 
-        None for an infinite place of a number field, and where the residue field is not finite.
+        None for an infinite place of a number field, and if the residue field is not finite.
         """
         return None
 
@@ -187,9 +194,9 @@ class GlobalField(ABC, Generic[E, P]):
         return None if at is None else unit_and_prime(at, *self._exact(c))
 
     def hyperbolic_plane(self, c: Constants, place: P) -> tuple[Vector, Vector] | None:
-        """Return q and u on whose span the norm has a zero over the completion, by Hensel's lemma.
+        """Return q and u such that the norm has a zero on their span over the completion, by Hensel's lemma.
 
-        None where it has none, and where :meth:`residues` has none; see :mod:`local_order`.
+        None if the norm has no zero, or if :meth:`residues` returns None; see :mod:`local_order`.
         """
         at = self.residues(place)
         return None if at is None else hyperbolic_plane(at, *self._exact(c))
@@ -199,7 +206,9 @@ class GlobalField(ABC, Generic[E, P]):
         return c, self.ring.one
 
     def evidence(self, c: Constants, places: Iterable[P]) -> Iterator[Mapping[str, object]]:
-        """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
+        """Yield evidence that the checker of certificates may accept, for an algebra that ramifies at the
+        places.
+        """
         for place in places:
             found = self.unit_and_prime(c, place)
             if found is not None:
@@ -213,12 +222,15 @@ class GlobalField(ABC, Generic[E, P]):
     ) -> Iterator[tuple[object, Ring, Sequence[Scalar], Sequence[Scalar]]]:
         """Yield places with known residue fields, and the residues of a form's coefficients there.
 
-        Those of even order, then those of odd order, which are divided by a uniformiser. None by default.
+        The residues of coefficients of even order come first, then those of odd order, divided by a
+        uniformiser. By default nothing is yielded.
         """
         return iter(())
 
     def is_anisotropic(self, form: Sequence[E]) -> bool | None:
-        """Return whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
+        """Return whether a diagonal form with nonzero coefficients has only the zero 0; None if that is not
+        decided.
+        """
         return None
 
     def same_class(self, form: NormalForm[E], other: NormalForm[E]) -> bool:
@@ -233,13 +245,14 @@ class GlobalField(ABC, Generic[E, P]):
         return known_primes(shared_primes(numbers), "")
 
     def _to_factor(self, x: E) -> Iterable[int]:
-        """Return the whole numbers that are factored where places are looked for at which x is not a unit."""
+        """Return the integers to be factored for finding the places at which x is not a unit."""
         return ()
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
 
-        Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
+        Both are given by the constants of normal forms and are isomorphic; they are division algebras, if
+        that helps.
         """
         raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
 
@@ -251,14 +264,17 @@ class GlobalField(ABC, Generic[E, P]):
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
     def obstruction(self, form: NormalForm[E], t: E, n: E) -> P | None:
-        """Return a place where no element has trace t and norm n, for x² − t·x + n without root; or None.
+        """Return a place at which no element has trace t and norm n, for x² − t·x + n without a root; or
+        None.
 
-        No field splits a division algebra into which it does not embed, and F_v is no larger than itself.
+        It is a ramified place at which x² − t·x + n has a root. The field generated by an element with trace
+        t and norm n splits the algebra; but at this place that field is F_v itself, over which the algebra is
+        a division algebra.
         """
         return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
     def has_root_at(self, place: P, t: E, n: E) -> bool:
-        """Return whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
+        """Return whether x² − t·x + n has a root in the completion; in characteristic 2 also for t = 0."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))
 
@@ -269,7 +285,7 @@ class GlobalField(ABC, Generic[E, P]):
         raise UndecidedError(f"elements of trace 1 over {self.ring} are not sought")
 
     def square_parts(self, x: E) -> tuple[E, E]:
-        """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
+        """Return ``(u, v)`` with ``x = u² + g·v²``, where g is the generator of the field."""
         raise UndecidedError(f"elements of {self.ring} are not split into squares here")
 
     def as_norm(self, x: E, s: E) -> tuple[E, E]:

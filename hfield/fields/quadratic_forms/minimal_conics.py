@@ -1,10 +1,10 @@
 """Quadratic forms in three variables, minimised at a place of ℚ or of k(t).
 
-At the place a lattice is enlarged, and the form on it scaled, until the half-discriminant is a unit
-there. This fails exactly where the form has no zero over the completion, that is, where the algebra
-ramifies. Nothing depends on the characteristic of the field or of the residue field.
+At the place a lattice is enlarged, and the form on it scaled, until the half-discriminant is a unit there.
+This fails exactly if the form has no zero over the completion, that is, if the algebra ramifies. Nothing
+depends on the characteristic of the field or of the residue field.
 
-The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly when the
+The form of an algebra is ``w² + t·wx − a·x² − b·y²``, the norm on ⟨e, i, j⟩; it has a zero exactly if the
 algebra splits.
 """
 
@@ -28,7 +28,7 @@ Form: TypeAlias = tuple[E, E, E, E, E, E]
 
 @dataclass
 class ConicLattice(Generic[E]):
-    """A basis of a lattice in k(t)³ and the scale by which the form is multiplied."""
+    """A basis of a lattice in k(t)³, and the scale by which the form is multiplied."""
 
     basis: list[Vector[E]]
     scale: E
@@ -45,7 +45,7 @@ class Conic(Generic[E]):
         return dot(v, self._half(v))
 
     def coefficients(self, lattice: ConicLattice[E]) -> Form[E]:
-        """Return the coefficients of the scaled form on the basis."""
+        """Return the coefficients of the scaled form in the basis."""
         s, basis = lattice.scale, lattice.basis
         halves = [self._half(v) for v in basis]
         f, g, h = (s * dot(v, half) for v, half in zip(basis, halves, strict=True))
@@ -56,7 +56,7 @@ class Conic(Generic[E]):
         return f, g, h, p, q, r
 
     def _half(self, v: Vector[E]) -> Vector[E]:
-        """Return a vector linear in v, whose product with v is f(v)."""
+        """Return a vector, linear in v, whose product with v is f(v)."""
         x, y, z = v
         a, b, c, r, s, t = self.form
         return [a * x + t * y + s * z, b * y + r * z, c * z]
@@ -74,7 +74,9 @@ def norm_form(field: Ring[E], c: Constants[E]) -> Form[E]:
 
 
 def half_discriminant(form: Form[E]) -> E:
-    """Return half the determinant of the bilinear form, which makes sense in characteristic 2."""
+    """Return half the determinant of the bilinear form; in this form it is also defined in
+    characteristic 2.
+    """
     a, b, c, r, s, t = form
     four = a * b * c
     four = four + four
@@ -84,8 +86,8 @@ def half_discriminant(form: Form[E]) -> E:
 def minimise(conic: Conic[E], lattice: ConicLattice[E], place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there; return True.
 
-    Where the place is ramified that is impossible: then the half-discriminant is left with
-    valuation 1, and the answer is False.
+    If the place is ramified, this is impossible: then the half-discriminant ends with valuation 1, and False
+    is returned.
     """
     pi = place.uniformiser
     inverse = place.inverse_uniformiser
@@ -181,7 +183,7 @@ def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
 def _split_complement(
     conic: Conic[E], lattice: ConicLattice[E], kappa: FinitePlace, vertex: int
 ) -> list[int] | None:
-    """Find a line of the form modulo p through its vertex; return the places of both vectors."""
+    """Find a line on the form modulo p through its vertex; return the indices of both vectors."""
     form = conic.coefficients(lattice)
     i, j = (n for n in range(3) if n != vertex)
     pair = form[{(1, 2): 3, (0, 2): 4, (0, 1): 5}[i, j]]

@@ -11,8 +11,8 @@ from hfield.fields.base.ring import E, Ring, WithSquares
 class NormalForm(NamedTuple, Generic[E]):
     """``kind`` is ``"symbol"`` for (a, b | F) and ``"artin-schreier"`` for [a, b | F).
 
-    ``back`` takes coordinates in the normal basis to coordinates in the given one, and ``forth``
-    the other way.
+    ``back`` maps coordinates in the normal basis to coordinates in the given basis, and ``forth`` is the
+    inverse map.
     """
 
     kind: str
@@ -34,7 +34,7 @@ def basis_of(ring: Ring) -> tuple[Coordinates, Coordinates, Coordinates, Coordin
 
 
 def discriminant(ring: Ring[E], c: Constants[E]) -> E:
-    """Return ``(t² + 4a)·b``; the algebra over a field is central simple iff it is not 0."""
+    """Return ``(t² + 4a)·b``; the algebra over a field is central simple if and only if this is not 0."""
     a, t, b = c
     return (t * t + ring(4) * a) * b  # of a p-adic a, 4a is known to more digits than a + a + a + a
 
@@ -42,8 +42,8 @@ def discriminant(ring: Ring[E], c: Constants[E]) -> E:
 def normal_form(ring: Ring[E], c: Constants[E]) -> NormalForm[E]:
     """Complete the square (characteristic not 2), or divide i by t (characteristic 2, t ≠ 0).
 
-    ``i − t/2`` has the square ``a + t²/4`` and anticommutes with j; in characteristic 2, i/t has
-    the square ``a/t² + i/t``. The ring must be a field.
+    The square of ``i − t/2`` is ``a + t²/4``, and it anticommutes with j; in characteristic 2, the square of
+    i/t is ``a/t² + i/t``. The ring must be a field.
     """
     a, t, b = c
     if ring.is_zero(t):
@@ -72,9 +72,10 @@ def _same(q: Coordinates) -> Coordinates:
 
 
 def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Scalar]) -> Coordinates:
-    """Return the q with ``tr(q·conj(u)) =`` the given scalars for u = e, i, j, k; the algebra is simple.
+    """Return the q for which ``tr(q·conj(u))`` are the given scalars, u = e, i, j, k; the algebra is simple.
 
-    On (e, i) the form has the matrix ``((2, t), (t, −2a))``, on (j, k) −b times that, and no more.
+    On (e, i) the form has the matrix ``((2, t), (t, −2a))``, on (j, k) −b times that; all other entries are
+    0.
     """
     a, t, b = c
     m, n, p, q = pairings
@@ -102,7 +103,7 @@ def pairing_matrix(ring: Ring[E], c: Constants[E]) -> list[list[E]]:
 
 
 def root_if_known(ring: WithSquares, x: Scalar) -> Scalar | None:
-    """Return a square root; None where there is none, and where that is not decided."""
+    """Return a square root; None if there is none or that is not decided."""
     try:
         return ring.sqrt(x)
     except UndecidedError:

@@ -16,15 +16,16 @@ def hilbert_symbol(
 ) -> int:
     """Return the Hilbert symbol ``(a, b)`` at a place: 1 if ``(a, b | F)`` splits there, else −1.
 
-    Over ℚ, a and b are nonzero ints, Fractions, elements of QQ or their texts, and the place is a
-    prime or ``"inf"``. Over a number field or GF(q)(t) they are its elements, and the place is one of the
-    field's or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0. ``factors``
-    may name primes of the norms of a and b, which a quadratic field needs at a lone place above 2.
+    Over ℚ, a and b are nonzero ints, Fractions, elements of QQ or their texts, and the place is a prime or
+    ``"inf"``. Over a number field or GF(q)(t), a and b are elements of the field, and the place is one of the
+    field's places or its text. In characteristic 2 the symbol is that of [a, b | F), where a may be 0.
+    ``factors`` may contain primes of the norms of a and b, which are needed over a quadratic field with only
+    one place above 2.
 
-    Over a local field, which has one place, None names it, too.
+    A local field has only one place; there the place may also be None.
 
-    Raises :class:`RingError` for a 0 and for a place that is none, and :class:`UndecidedError` over
-    QQ(x), whose completions are not local fields.
+    Raises :class:`RingError` for a 0 and for an invalid place, and :class:`UndecidedError` over QQ(x), whose
+    completions are not local fields.
 
     >>> hilbert_symbol(-1, -1, 2), hilbert_symbol(-1, -1, 3), hilbert_symbol(-1, -1, "inf")
     (-1, 1, -1)
@@ -34,9 +35,9 @@ def hilbert_symbol(
 
 
 def places(ring: WithPlaces) -> Iterator[Hashable]:
-    """Yield the places of a global field without end: infinite ones, then by size.
+    """Yield the places of a global field without end: infinite ones first, then by size.
 
-    Raises :class:`UndecidedError` for a ring that has no such list.
+    Raises :class:`UndecidedError` for a ring without such a list.
 
     >>> from itertools import islice
     >>> from hfield import QQ
@@ -47,7 +48,7 @@ def places(ring: WithPlaces) -> Iterator[Hashable]:
 
 
 def place(ring: Ring, text: object) -> Hashable:
-    """Read a place of a global field, as its text or as it is. Raises :class:`RingError`."""
+    """Return a place of a global field, given by its text or as an object. Raises :class:`RingError`."""
     field = global_field(ring)
     if field is None:
         raise RingError(f"{ring.name} is not a global field: it has no places here")
@@ -57,11 +58,11 @@ def place(ring: Ring, text: object) -> Hashable:
 def ramified_places(
     ring: Ring, c: Constants, factors: Factors | None = None
 ) -> tuple[Hashable, ...]:
-    """Return the places where the algebra does not split: primes ascending, infinite ones last.
+    """Return the places at which the algebra does not split: primes in ascending order, infinite places last.
 
-    ``factors`` may name primes of a and b (over ℚ) or of their norms. A finite field has no places, so
-    the answer is (). Raises :class:`RingError` for a degenerate algebra, and
-    :class:`UndecidedError` over a ring without a theory of places.
+    ``factors`` may contain primes of a and b (over ℚ) or of their norms. A finite field has no places, so the
+    result is (). Raises :class:`RingError` for a degenerate algebra, and :class:`UndecidedError` over a ring
+    without a theory of places.
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.no_field}: use its field of fractions")
@@ -78,7 +79,7 @@ def ramified_places(
 def reduced_discriminant(ring: Ring, c: Constants, factors: Factors | None = None) -> object:
     """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
-    Over a quadratic field, where it is an ideal, the tuple of its prime ideals. Raises as
+    Over a quadratic field, where it is an ideal, it is the tuple of its prime ideals. Raises errors as
     :func:`ramified_places` does.
     """
     found = ramified_places(ring, c, factors)

@@ -44,7 +44,7 @@ class RationalArithmetic(GlobalField):
         return hilbert_symbol_q(a, b, place)
 
     def is_anisotropic(self, form: Sequence[flint.fmpq]) -> bool:
-        """Decide it: from five variables on by the signs (Meyer)."""
+        """Decide it; for five or more variables, by the signs (Meyer)."""
         if len(form) > 4:
             return all(c > 0 for c in form) or all(c < 0 for c in form)
         return not is_isotropic([fraction(c) for c in form])
@@ -64,7 +64,9 @@ class RationalArithmetic(GlobalField):
     def with_ramification(
         self, places: Sequence[Place], infinite: bool | None = None
     ) -> tuple[Scalar, Scalar]:
-        """Return constants of an algebra that ramifies at the given primes, and at ∞ if named or needed."""
+        """Return constants of an algebra that ramifies at the given primes, and at ∞ if that is named or
+        needed.
+        """
         return from_ramification_q(places, infinite)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
@@ -83,7 +85,7 @@ class RationalArithmetic(GlobalField):
         return (square_class(x),)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return I and J in one algebra with the relations of another, by an isometry of lattices."""
+        """Return I and J in one algebra with the relations of the other, by an isometry of lattices."""
         return embed_rational(self.ring, outer, inner)
 
     def traceless_root(self, form: NormalForm, s: flint.fmpq) -> Coordinates | None:

@@ -28,6 +28,8 @@ def p_adic_numbers(rationals: Ring, p: str) -> LocalField:
 
 
 def completion_of_rationals(rationals: Ring, place: object) -> Ring:
-    """Return ℚ_p, or RR: the real algebraic numbers satisfy what all real numbers satisfy."""
+    """Return ℚ_p, or RR: the real algebraic numbers satisfy the same first-order statements as the real
+    numbers.
+    """
     v = place_of_q(place)
     return RR if v == INFINITE else p_adic_numbers(rationals, str(v))

@@ -1,12 +1,12 @@
 """Rational points on conics ``a·x² + b·y² = z²`` with coefficients that can be factored.
 
-Legendre's lattice: for pairwise coprime squarefree A, B, C, the integer vectors on which
-``A·x² + B·y² + C·z²`` is a multiple of A·B·C by virtue of square roots modulo its primes. On this
-lattice the form divided by A·B·C is integral of determinant 1. A vector of least length there
-(lattice reduction of the definite form with |A|, |B|, |C|) has value 0, 1 or −1, since its length
-is at most 2^(1/3)·|ABC|; in the last two cases it splits off, and the complement is a binary form of
-determinant ±1, on which the solution is read off. Compare Cremona and Rusin, "Efficient solution
-of rational conics", Math. Comp. 72 (2003), and Serre, *A Course in Arithmetic*, chapter IV, §3.
+Legendre's lattice: for pairwise coprime squarefree A, B, C, it consists of the integer vectors on which
+``A·x² + B·y² + C·z²`` is a multiple of A·B·C by virtue of square roots modulo its primes. On this lattice the
+form divided by A·B·C is integral of determinant 1. A vector of least length there (found by lattice reduction
+for the definite form with |A|, |B|, |C|) has value 0, 1 or −1, because its length is at most 2^(1/3)·|ABC|.
+If the value is ±1, the vector splits off, and the complement is a binary form of determinant ±1, from which
+the solution is read off. Compare Cremona and Rusin, "Efficient solution of rational conics", Math. Comp. 72
+(2003), and Serre, *A Course in Arithmetic*, chapter IV, §3.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Vector = list[int]
 def solve_conic(a: Rational, b: Rational) -> tuple[Fraction, Fraction, Fraction]:
     """Return rationals ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``; a, b are nonzero rationals.
 
-    The conic must have a point, that is, ``(a, b | ℚ)`` must ramify nowhere.
+    The conic must have a point, that is, ``(a, b | ℚ)`` must be unramified everywhere.
     """
     m, s, in_m = squarefree(square_class(a))
     n, r, in_n = squarefree(square_class(b))
@@ -55,7 +55,7 @@ def legendre(
 ) -> tuple[int, int, int]:
     """Return a primitive integer zero of ``A·x² + B·y² + C·z²``, given the primes of A, B and C.
 
-    The coefficients are squarefree, pairwise coprime and not all of one sign, and a zero exists.
+    The coefficients are squarefree, pairwise coprime and not all of the same sign, and a zero exists.
     """
     basis = _lattice(form, primes)
     determinant = abs(math.prod(form))
@@ -119,7 +119,7 @@ def _primitive(v: Vector) -> tuple[int, int, int]:
 def _split_off(
     form: tuple[int, int, int], determinant: int, basis: list[Vector], v: Vector, size: int
 ) -> Vector:
-    """Return a zero of the form, which is ``size·X² + (binary of determinant ±1)`` on the lattice."""
+    """Return a zero of the form, which on the lattice is ``size·X²`` plus a binary form of determinant ±1."""
 
     def pair(p: Vector, q: Vector) -> int:
         return sum(f * s * t for f, s, t in zip(form, p, q, strict=True)) // determinant

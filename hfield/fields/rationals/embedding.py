@@ -23,7 +23,7 @@ def embed_rational(
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` over ℚ that satisfy the relations of ``outer``.
 
-    Both are division algebras, isomorphic, with t = 0; ℚ is taken as a number field of degree 1. Raises
+    Both are isomorphic division algebras with t = 0; ℚ is treated as a number field of degree 1. Raises
     :class:`UnfactoredError`.
     """
     K = shared(NumberField, "s-1", "s")
@@ -35,8 +35,9 @@ def embed_rational(
 def traceless_root_rational(ring: Ring, c: Constants, s: flint.fmpq) -> Coordinates | None:
     """Return some x of trace 0 with ``x² = s`` in a division algebra (a, b | ℚ), or None; s is not 0.
 
-    It is the image of i in an algebra (s, e) with the same ramification, if ℚ(√s) splits the algebra: if s is
-    no square at any ramified place (Voight, *Quaternion Algebras*, proposition 14.6.7).
+    It is the image of i in an algebra (s, e) with the same ramification, which exists if ℚ(√s) splits the
+    algebra, that is, if s is not a square at any ramified place (Voight, *Quaternion Algebras*, proposition
+    14.6.7).
     """
     places = ramified_places_q(c.a, c.b)
     m, _, primes = squarefree(square_class(s))
@@ -49,7 +50,7 @@ def traceless_root_rational(ring: Ring, c: Constants, s: flint.fmpq) -> Coordina
 
 
 def _partner(s: int, primes: list[int], places: tuple[Place, ...]) -> tuple[int, int] | None:
-    """Return an e for which (s, e | ℚ) ramifies exactly at these places, or None if there is none.
+    """Return an e such that (s, e | ℚ) ramifies exactly at these places, or None if there is none.
 
     Along with it a prime of e, or 1, the others being among the places; s is squarefree, of the given
     primes. By the product formula the symbol at the one prime that is new takes care of itself.

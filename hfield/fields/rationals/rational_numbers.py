@@ -1,7 +1,7 @@
 """Rational numbers as users get them: flint's, with the operations of Python's ints and Fractions.
 
-Norms, traces and coordinates over ℚ are of this class. Sums and products stay exact, ``%`` and ``//`` are
-those of Fractions, and an integral value serves wherever Python takes an int.
+Norms, traces and coordinates over ℚ belong to this class. Sums and products stay exact, ``%`` and ``//`` work
+as for Fractions, and an integral value is accepted wherever Python takes an int.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from flint import fmpq, fmpz
 
 
 class _OfFractions(type):
-    """Makes a class that is called with Fractions too, as ``statistics.mean`` does.
+    """Metaclass of a class that can also be called with Fractions, as ``statistics.mean`` does.
 
-    An ``__init__`` would do it too, and make every norm slower.
+    An ``__init__`` would do this too, but would make every norm slower.
     """
 
     def __call__(cls, *numbers: object) -> RationalNumber:
@@ -28,7 +28,7 @@ class _OfFractions(type):
 
 
 class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # flint has no types
-    """A rational number; it equals, hashes and compares as ints and Fractions do.
+    """A rational number; equality, hash and order are as for ints and Fractions.
 
     >>> from math import gcd, isqrt
     >>> from hfield import H
@@ -51,16 +51,16 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
 
     @property
     def real(self) -> RationalNumber:
-        """The number itself, as of every real number of Python."""
+        """The number itself, as for every real number of Python."""
         return self
 
     @property
     def imag(self) -> int:
-        """Return 0."""
+        """0, as for every real number of Python."""
         return 0
 
     def conjugate(self) -> RationalNumber:
-        """Return the number itself."""
+        """Return the integer unchanged."""
         return self
 
     def as_integer_ratio(self) -> tuple[int, int]:
@@ -160,7 +160,7 @@ class RationalNumber(fmpq, metaclass=_OfFractions):  # type: ignore[misc]  # fli
     __truediv__, __rtruediv__ = _operation("__truediv__"), _operation("__rtruediv__")
 
     def _comparison(name: str) -> Callable[[RationalNumber, object], bool]:  # noqa: N805
-        """Return a comparison that takes Fractions and, exactly as they do, floats."""
+        """Return a comparison that accepts Fractions and, with the same exactness, floats."""
         of_flint: Callable[[RationalNumber, object], bool] = getattr(fmpq, name)
         of_fractions: Callable[[Fraction, float], bool] = getattr(Fraction, name)
 
@@ -200,14 +200,14 @@ NOT_FRACTIONS = frozenset({RationalNumber, fmpq, fmpz, int})
 
 
 def _of_python(x: object) -> object:
-    """Return a Fraction as flint's rational, and anything else unchanged."""
+    """Return a Fraction as a flint rational, and anything else unchanged."""
     if type(x) not in NOT_FRACTIONS and isinstance(x, Fraction):
         return fmpq(int(x.numerator), int(x.denominator))  # of numpy, perhaps
     return x
 
 
 def _rational(x: object) -> fmpq | None:
-    """Return an int, a Fraction or a number of flint as flint's rational, None for anything else."""
+    """Return an int, a Fraction or a flint number as a flint rational; None for anything else."""
     if isinstance(x, fmpq):
         return x
     if isinstance(x, int | fmpz):

@@ -27,7 +27,7 @@ class PrimeResidues:
         self.even = p == 2
 
     def over_prime_field(self) -> list[int]:
-        """Return a basis of the residue field over that with p elements."""
+        """Return a basis of the residue field over the field with p elements."""
         return [self.one]
 
     def residue(self, x: Rational) -> int:
@@ -47,7 +47,7 @@ class PrimeResidues:
         return pow(x, -1, self.modulus)
 
     def sqrt(self, x: int) -> int | None:
-        """Return a square root of x, or None when there is none."""
+        """Return a square root of x, or None if there is none."""
         x %= self.modulus
         if x and not self.even and flint.fmpz(x).jacobi(self.modulus) != 1:
             return None
@@ -72,7 +72,7 @@ class PrimeResidues:
 class PrimePlace(PrimeResidues):
     """The place of ℚ at a prime p.
 
-    Rational numbers are what ``number(over, under)`` makes, such as Fractions or flint's.
+    Rational numbers are created by ``number(over, under)``, such as Fractions or flint's.
     """
 
     reduce = PrimeResidues.residue
@@ -87,17 +87,17 @@ class PrimePlace(PrimeResidues):
         return self._number(x)
 
     def valuation(self, x: Rational) -> int:
-        """Return the order of a nonzero rational number at p."""
+        """Return the valuation of a nonzero rational number at p."""
         over, under = int(x.numerator), int(x.denominator)
         return remove(over, self.modulus)[0] - remove(under, self.modulus)[0]
 
     def truncated(self, x: flint.fmpq, n: int) -> Fraction:
-        """Return the least number ≥ 0 that is x up to pⁿ, with a power of p below it."""
+        """Return the least number ≥ 0 that agrees with x up to pⁿ, with a power of p as denominator."""
         return truncated(x, self.modulus, n)
 
 
 def truncated(x: Rational, p: int, n: int) -> Fraction:
-    """Return the least rational number ≥ 0 that is x up to pⁿ, with a power of p below it."""
+    """Return the least rational number ≥ 0 that agrees with x up to pⁿ, with a power of p as denominator."""
     k, below = remove(int(x.denominator), p)
     if n + k <= 0:
         return Fraction(0)

@@ -60,7 +60,7 @@ class _Ordered(ValueRing):
     def to_sympy(
         self, x: flint.fmpz | flint.fmpq, symbols: Mapping[str, sympy.Symbol]
     ) -> sympy.Expr:
-        """Return the number as a number of sympy."""
+        """Return the number as a sympy number."""
         import sympy
 
         return sympy.Rational(int(x.numerator), int(x.denominator))
@@ -85,7 +85,7 @@ class Integers(_Ordered):
         return "the integers ℤ"
 
     def __call__(self, x: object) -> flint.fmpz:
-        """Turn a whole number into an element, read a text. Raises :class:`CoercionError`."""
+        """Convert an integer to an element; read a text. Raises :class:`CoercionError`."""
         x = unwrap(x)
         if isinstance(x, flint.fmpz):
             return x
@@ -108,7 +108,7 @@ class Integers(_Ordered):
         return Zmod(n)
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements as four ints, as over ℚ."""
+        """Return the storage of elements as four ints, as over ℚ."""
         from hfield.fields.base.storage.fractions import FractionStorage
 
         return FractionStorage(
@@ -119,7 +119,7 @@ class Integers(_Ordered):
         return Zmod(n)
 
     def array_storage(self, constants: Constants) -> BatchStorage:
-        """Store arrays as rows of 64-bit integers, as long as they fit."""
+        """Return the storage of arrays as rows of 64-bit integers, as long as they fit."""
         from hfield.fields.base.array_storage.words import WholeArrays
 
         return WholeArrays(self, constants)
@@ -135,18 +135,18 @@ class Integers(_Ordered):
         )
 
     def divide(self, x: flint.fmpz, y: flint.fmpz) -> flint.fmpz:
-        """Return x/y where y divides x. Raises :class:`NotInvertibleError`."""
+        """Return x/y if y divides x. Raises :class:`NotInvertibleError`."""
         if y == 0 or x % y != 0:
             self.inverse(y)
         return x // y
 
     def euclid(self, x: flint.fmpz, y: flint.fmpz) -> tuple[flint.fmpz, flint.fmpz]:
-        """Return quotient and remainder, which has the sign of y."""
+        """Return the quotient and the remainder, which has the sign of y."""
         quotient, remainder = divmod(x, y)
         return quotient, remainder
 
     def roots(self, coefficients: Sequence[flint.fmpz]) -> list[flint.fmpz]:
-        """Return the integer roots of a polynomial that is not 0."""
+        """Return the integer roots of a nonzero polynomial."""
         return [flint.fmpz(x.p) for x in rational_roots(coefficients) if x.q == 1]
 
     def sqrt(self, x: flint.fmpz) -> flint.fmpz | None:
@@ -174,7 +174,7 @@ class Rationals(_Ordered):
         return {"kind": "number", "n": place}
 
     def __call__(self, x: object) -> flint.fmpq:
-        """Turn a rational number into an element, read a text. Raises :class:`CoercionError`."""
+        """Convert a rational number to an element; read a text. Raises :class:`CoercionError`."""
         if type(x) is int:
             return flint.fmpq(x)
         x = unwrap(x)
@@ -190,7 +190,9 @@ class Rationals(_Ordered):
         return fmpq(number)
 
     def array_storage(self, constants: Constants) -> BatchStorage:
-        """Store arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+        """Return the storage of arrays as rows of 64-bit integers, one of them for the denominators, as long
+        as they fit.
+        """
         from hfield.fields.base.array_storage.fractions import FractionArrays
 
         return FractionArrays(self, constants)
@@ -208,15 +210,15 @@ class Rationals(_Ordered):
         return flint.fmpq(x.p.isqrt(), x.q.isqrt())
 
     def roots(self, coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
-        """Return the rational roots of a polynomial that is not 0."""
+        """Return the rational roots of a nonzero polynomial."""
         return rational_roots(coefficients)
 
     def irreducible_factors(self, coefficients: Sequence[flint.fmpq]) -> list[list[flint.fmpq]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        """Return the distinct monic irreducible factors of a nonzero polynomial."""
         return of_flint(self, flint.fmpq_poly(list(coefficients)), self)
 
     def is_rootless(self, coefficients: Sequence[flint.fmpq]) -> bool:
-        """Return whether a polynomial has no rational root: no linear factor."""
+        """Return whether a polynomial has no rational root, that is, no linear factor."""
         return coefficients[-1] != 0 and not rational_roots(coefficients)
 
     degree = 1
@@ -230,7 +232,7 @@ class Rationals(_Ordered):
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements as four ints over one denominator."""
+        """Return the storage of elements as four ints over one denominator."""
         from hfield.fields.base.storage.fractions import FractionStorage
 
         return FractionStorage(self, constants, (0,), lambda x: (x,), rational_number)
@@ -256,13 +258,13 @@ class Residues(Modular):
         return {"kind": "residues", "modulus": self.modulus}
 
     def array_of_labels(self, row: np.ndarray) -> np.ndarray:
-        """Return an array of residues as ``array`` returns arrays."""
+        """Return an array of residues in the same form as ``array`` does."""
         from hfield.fields.base.arrays import objects
 
         return objects(row, lambda n: self(int(n)))
 
     def array_storage(self, constants: Constants) -> BatchStorage:
-        """Store arrays as rows of residues, unless the modulus is too large."""
+        """Return the storage of arrays as rows of residues, unless the modulus is too large."""
         from hfield.fields.base.array_storage.finite import array_storage
 
         return array_storage(self, constants)
@@ -273,7 +275,7 @@ class Residues(Modular):
 
 
 def Zmod(n: int) -> Modular:
-    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int, at least 2.
+    """Return the residue ring ℤ/n. Raises :class:`RingError` unless n is an int and at least 2.
 
     >>> from hfield import H
     >>> H(Zmod(6)).count("units")

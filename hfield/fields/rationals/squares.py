@@ -29,7 +29,7 @@ MAX_SEARCHED_SQUARES = 10**6  # below this, two squares are searched one by one
 
 
 def three_squares(n: int) -> tuple[int, int, int] | None:
-    """Return a ≥ b ≥ c ≥ 0 with a² + b² + c² = n, or None: there are none for n = 4ᵏ(8m + 7)."""
+    """Return a ≥ b ≥ c ≥ 0 with a² + b² + c² = n, or None, which occurs for n = 4ᵏ(8m + 7)."""
     if n == 0:
         return 0, 0, 0
     if n % 4 == 0:
@@ -46,10 +46,10 @@ def three_squares(n: int) -> tuple[int, int, int] | None:
 
 
 def minus_one(m: int, w: S) -> tuple[S, ...]:
-    """Return squares that add up to −1, given w with w² = −m, m > 1: two, or four where m ≡ 7 mod 8.
+    """Return squares that add up to −1, given w with w² = −m, m > 1: two of them, or four if m ≡ 7 mod 8.
 
-    With m = a² + b² + c² it is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1; where m is no sum of three squares,
-    four squares of m, each over w, are taken.
+    With m = a² + b² + c² the formula is ((wb + ac)² + (wc − ab)²)/(b² + c²)² = −1. If m is not a sum of three
+    squares, it is a sum of four squares, each of which is divided by w².
     """
     parts = three_squares(m)
     if parts is None:  # then m − 1 is one
@@ -60,7 +60,7 @@ def minus_one(m: int, w: S) -> tuple[S, ...]:
 
 
 def two_squares(n: int) -> tuple[int, int] | None:
-    """Return b, c with b² + c² = n; None where there are none, or n is large and not twice a prime."""
+    """Return b, c with b² + c² = n; None if there are none, or if n is large and not twice a prime."""
     if n < MAX_SEARCHED_SQUARES:
         for b in range(isqrt(n), isqrt(n // 2) - 1, -1):
             c = isqrt(n - b * b)

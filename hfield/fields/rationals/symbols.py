@@ -1,9 +1,9 @@
 """Hilbert symbols over ℚ, ramified places and the discriminant.
 
-The symbol ``(a, b)_v`` is 1 when ``z² = a·x² + b·y²`` has a nonzero solution in the completion at
-v, and −1 otherwise. The formulas are those of Serre, *A Course in Arithmetic*, chapter III,
-theorem 1; that a rational quaternion algebra is known by the even set of places where the symbol
-is −1 is Voight, *Quaternion Algebras*, main theorem 14.1.3.
+The symbol ``(a, b)_v`` is 1 if ``z² = a·x² + b·y²`` has a nonzero solution in the completion at v, and −1
+otherwise. The formulas are those of Serre, *A Course in Arithmetic*, chapter III, theorem 1. A rational
+quaternion algebra is determined by the even set of places at which the symbol is −1 (Voight, *Quaternion
+Algebras*, main theorem 14.1.3).
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ _LEAST = -WORD
 def hilbert_symbol_q(a: Rational, b: Rational, place: object) -> int:
     """Return the Hilbert symbol of two nonzero rationals at a place of ℚ: 1 or −1.
 
-    Raises :class:`RingError` for a 0 or for a place that is none, :class:`CoercionError` for
-    arguments that are not rational. Nothing is factored.
+    Raises :class:`RingError` for a 0 or an invalid place, :class:`CoercionError` for arguments that are not
+    rational. Nothing is factored.
     """
     v = place_of_q(place)
     m, n = square_class(a), square_class(b)
@@ -60,9 +60,10 @@ def symbol_of_parts(p: int, alpha: int, u: int, beta: int, v: int) -> int:
 def ramified_places_q(
     a: Rational, b: Rational, factors: Factors | None = None
 ) -> tuple[Place, ...]:
-    """Return the places of ℚ where ``(a, b | ℚ)`` is a division algebra, primes first, ascending.
+    """Return the places of ℚ at which ``(a, b | ℚ)`` is a division algebra: primes in ascending order, then
+    infinity.
 
-    ``factors`` may name primes of numerators and denominators, to spare their factorisation. Raises
+    ``factors`` may contain primes of numerators and denominators, which then need not be found. Raises
     :class:`UnfactoredError`.
     """
     m = a if type(a) is int and a else square_class(a)
@@ -101,16 +102,17 @@ def ramified_places_q(
 
 
 def _prime_powers(n: int) -> list[tuple[fmpz, int]]:
-    """Return the primes of n, as FLINT's integers, with their exponents, ascending."""
+    """Return the primes of n, as flint integers, with their exponents, in ascending order."""
     return [(fmpz(p), e) for p, e in sorted(factorise(n).items())]
 
 
 def is_isotropic(form: Sequence[Rational]) -> bool:
-    """Return whether a diagonal form over ℚ in at most four variables, without coefficient 0, has a zero
-    but 0.
+    """Return whether a diagonal form over ℚ with at most four variables and nonzero coefficients has a
+    nontrivial zero.
 
-    Three of its terms are those of a norm form on the elements of trace 0, and a fourth is of use only where
-    the product of all is not a square (Hasse and Minkowski; Serre, chapter IV, theorems 6 and 8).
+    Up to scale, three of its terms form the norm form on the elements of trace 0 of an algebra. A fourth term
+    matters only if the product of all coefficients is not a square (Hasse and Minkowski; Serre, chapter IV,
+    theorems 6 and 8).
     """
     if len(form) < 2:
         return False
@@ -137,12 +139,12 @@ def discriminant_q(places: Iterable[Place]) -> int:
 
 
 def from_ramification_q(primes: Iterable[object], infinite: bool | None) -> tuple[int, int]:
-    """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the places named.
+    """Return integers (a, b) such that ``(a, b | ℚ)`` ramifies exactly at the given places.
 
-    ∞ is one where it stands among them or is said to be, and where neither is said as often as it takes.
-    Raises :class:`RingError` unless the primes are distinct primes and the places even in number.
-    The construction is that of Voight, *Quaternion Algebras*, section 14.2: b is the product of the
-    primes up to sign, and a is, up to sign, 1 or a prime in a suitable residue class.
+    ∞ is one of the places if ``infinite`` says so or it is listed; if neither is given, parity decides.
+    Raises :class:`RingError` unless the primes are distinct primes and the places even in number. The
+    construction is that of Voight, *Quaternion Algebras*, section 14.2: up to sign, b is the product of the
+    primes, and a is 1 or a prime in a suitable residue class.
     """
     places = [place_of_q(p) for p in primes]
     wanted = [p for p in places if p != INFINITE]

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def fraction(x: Rational) -> Fraction:
-    """Turn an int, a Fraction, or a FLINT integer or rational into a Fraction."""
+    """Convert an int, a Fraction, or a flint integer or rational to a Fraction."""
     number = rational(x)
     if number is not None:
         return Fraction(number)
@@ -45,7 +45,7 @@ def square_class(x: Rational) -> int:
 
 
 def square_root(x: Fraction) -> Fraction | None:
-    """Return the nonnegative square root of a rational number, or None where there is none in ℚ."""
+    """Return the nonnegative square root of a rational number, or None if it is not in ℚ."""
     if x < 0:
         return None
     p, q = math.isqrt(x.numerator), math.isqrt(x.denominator)
@@ -72,7 +72,9 @@ def sqrt_mod(x: int, p: int) -> int:
 
 
 def crt(residues: Iterable[tuple[int, int]]) -> tuple[int, int]:
-    """Return ``(x, m)``: x has the given ``(residue, modulus)`` pairs, the moduli being coprime."""
+    """Return ``(x, m)``, where x has the given residues, for ``(residue, modulus)`` pairs with coprime
+    moduli, and m is their product.
+    """
     x, m = 0, 1
     for r, n in residues:
         x += m * ((r - x) * pow(m, -1, n) % n)

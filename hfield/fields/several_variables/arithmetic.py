@@ -29,14 +29,15 @@ if TYPE_CHECKING:
     import flint
 
 
-POINTS = 12  # as many values of each variable are tried for a point where nothing vanishes
+POINTS = 12  # values of each variable, tried in a search for a point at which nothing vanishes
 
 
 class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
     """The arithmetic of k(x, y, …): residues at prime polynomials (Gille and Szamuely, chapter 6).
 
-    An algebra with a nonsquare residue is a division algebra. One without any comes from k, where the
-    characteristic is not 2 (purity, Voight 14.6 and Colliot-Thélène's survey of it), and a value decides.
+    An algebra with a residue that is not a square is a division algebra. In characteristic not 2, an algebra
+    without such residues comes from k (purity, Voight 14.6 and Colliot-Thélène's survey of it), and its value
+    at a point decides.
     """
 
     ring: RationalFunctions
@@ -63,9 +64,9 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
     # --- residues ------------------------------------------------------------------------------
 
     def ramified(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
-        """Return the places where a residue is not trivial.
+        """Return the places with a nontrivial residue.
 
-        Raises :class:`UndecidedError` where some residues are not decided.
+        Raises :class:`UndecidedError` if some residues are not decided.
         """
         found, left_open = self._residues(form)
         if not left_open:
@@ -74,13 +75,13 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
         raise UndecidedError(f"whether the residues at {shown} are squares is not decided")
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[PolynomialPlace, ...]:
-        """Return the places where a residue is known not to be trivial."""
+        """Return the places at which a residue is known to be nontrivial."""
         return self._residues(form)[0]
 
     def _residues(
         self, form: NormalForm
     ) -> tuple[tuple[PolynomialPlace, ...], tuple[PolynomialPlace, ...]]:
-        """Return the places with a residue that is not trivial, and those where that is not decided."""
+        """Return the places with a nontrivial residue, and the places where that is not decided."""
         found, left_open = [], []
         for place in places_of(self.ring, *(x for x in form.constants if not self.ring.is_zero(x))):
             try:
@@ -97,7 +98,7 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
         return r is None or r.is_square()
 
     def _tame(self, form: NormalForm, place: PolynomialPlace) -> ResidueFieldElement | None:
-        """Return the residue (−1)^{vw}·a^w/b^v up to squares, None where v and w are even."""
+        """Return the residue (−1)^{vw}·a^w/b^v up to squares; None if v and w are even."""
         F = self.ring
         v, w = (valuation(F, x, place) for x in form.constants)
         if v % 2 == 0 and w % 2 == 0:
@@ -109,8 +110,8 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
         return residue(F, unit, place)
 
     def _is_trivial_even(self, form: NormalForm, place: PolynomialPlace) -> bool:
-        """Return whether [a, b) is trivial, where a has no pole: y² + y = a in the residue field, or v(b)
-        is even.
+        """Return whether [a, b) is trivial at a place at which a has no pole: y² + y = a in the residue
+        field, or v(b) is even.
         """
         F = self.ring
         n = 0 if F.is_zero(form.a) else valuation(F, form.a, place)
@@ -167,7 +168,7 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
     # --- what is not known -----------------------------------------------------------------------
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Prove by a value that there is no zero; a zero itself is not computed."""
+        """Prove by a value that there is no zero; zeros themselves are not computed."""
         F = self.ring
         if F.characteristic == 0:
             for n in range(1, POINTS):
@@ -187,7 +188,7 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
         )
 
     def _at(self, x: RationalFunction, n: int) -> flint.fmpq:
-        """Return the value at a point that depends on n, None where it is 0 or has a pole."""
+        """Return the value at a point that depends on n; None if it is 0 or there is a pole."""
         point = [n + 3 * m + m * m * n for m in range(len(self.ring.variables))]
         over, under = (p(*point) for p in (x.num, x.den))
         return over / under if over and under else None
@@ -203,6 +204,8 @@ class SeveralArithmetic(GlobalField[RationalFunction, PolynomialPlace]):
 
 
 def _has_odd_degree(x: RationalFunction) -> bool:
-    """Return whether a rational function has a positive odd degree, so that it is no y² + y."""
+    """Return whether a rational function has a positive odd degree, and therefore is not of the
+    form y² + y.
+    """
     n = int(x.num.total_degree()) - int(x.den.total_degree())
     return n > 0 and n % 2 == 1

@@ -1,8 +1,8 @@
 """Prime polynomials of k[x, y, …], and residues of rational functions modulo them.
 
-Where P is linear in some variable, P = c·v + d, the residue field is k(…) in the other variables, with −d/c
-for v. Elsewhere the norm down to the other variables may show that a residue is nonsquare. At infinity of a
-variable the leading coefficients stand for the residue.
+If P is linear in some variable, P = c·v + d, the residue field is k(…) in the other variables, with v
+replaced by −d/c. Otherwise the norm down to the other variables may show that a residue is not a square. At
+infinity of a variable, the leading coefficient plays the role of the residue.
 """
 
 from __future__ import annotations
@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PolynomialPlace:
-    """A prime polynomial of k[x, y, …], as flint has it, or infinity of the variable with that index."""
+    """A prime polynomial of k[x, y, …], as a flint polynomial, or infinity of the variable with a given
+    index.
+    """
 
     name: str
     poly: SparsePolynomial | None = field(default=None, hash=False)
@@ -38,7 +40,7 @@ class PolynomialPlace:
 
 @dataclass(frozen=True)
 class ResidueFieldElement:
-    """An element of the residue field at a place, or its norm down to the field given."""
+    """An element of the residue field at a place, or its norm down to the given field."""
 
     field: Ring
     value: RationalFunction
@@ -66,7 +68,7 @@ def places_of(F: RationalFunctions, *elements: RationalFunction) -> list[Polynom
 
 
 def valuation(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace) -> int:
-    """Return the order of a nonzero rational function at a place."""
+    """Return the valuation of a nonzero rational function at a place."""
     if place.infinite is not None:
         over, under = (int(p.degrees()[place.infinite]) for p in (x.num, x.den))
         return under - over
@@ -76,7 +78,7 @@ def valuation(F: RationalFunctions, x: RationalFunction, place: PolynomialPlace)
 def unit_part(
     F: RationalFunctions, x: RationalFunction, place: PolynomialPlace
 ) -> RationalFunction:
-    """Return x times a power of the prime, or of 1/v, without zero or pole at the place."""
+    """Return x times a power of the prime, or of 1/v, so that it has no zero or pole at the place."""
     n = valuation(F, x, place)
     if place.infinite is not None:
         return x * F.power(F.names()[F.variables[place.infinite]], n)
@@ -108,7 +110,7 @@ def _norm(
 ) -> ResidueFieldElement:
     """Return the norm of a residue down to the other variables, up to squares, by resultants."""
     degrees = {m: int(e) for m, e in enumerate(poly.degrees()) if int(e)}
-    n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant tells
+    n = max(degrees, key=lambda m: degrees[m] % 2)  # in odd degree the norm of a constant decides
     target = _without(F, n)
     lead = _leading(F, poly, n, target)
     total = target.one

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class RationalFunctions(FractionField):
     """k(x, y, …), the fractions of k[x, y, …] for k = QQ or GF(p); elements are :class:`RationalFunction`.
 
-    Numerator and denominator are flint's polynomials, without common factor, the denominator with leading
+    Numerator and denominator are flint polynomials without common factor; the denominator has leading
     coefficient 1.
 
     >>> from hfield import ring
@@ -45,7 +45,7 @@ class RationalFunctions(FractionField):
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by its constants and its variables."""
+        """The constants and the variables of the field, as JSON data."""
         variables = list(self.variables)
         return {"kind": "rational functions", "base": self.base.data, "variables": variables}
 
@@ -64,11 +64,11 @@ class RationalFunctions(FractionField):
         return self.variables
 
     def parts(self, x: RationalFunction) -> list[RationalFunction]:
-        """Return x as the only summand: leading terms are taken of x itself."""
+        """Return x as the only summand; leading terms are those of x itself."""
         return [x]
 
     def as_constant(self, x: RationalFunction) -> Coefficient | None:
-        """Return the element of k that x is, or None."""
+        """Return x as an element of k, or None if it is not constant."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return self.polynomials.constant_part(x.num)
@@ -90,7 +90,9 @@ class RationalFunctions(FractionField):
         return RationalFunction(self, num, den)
 
     def from_below(self, x: object) -> RationalFunction:
-        """Turn a number, or an element of k or k[x, y, …], into one. Raises :class:`CoercionError`."""
+        """Convert a number, or an element of k or k[x, y, …], to an element. Raises
+        :class:`CoercionError`.
+        """
         return RationalFunction(self, self.polynomials(x), self._one)
 
     def key(self, x: RationalFunction) -> Hashable:
@@ -98,7 +100,7 @@ class RationalFunctions(FractionField):
         return self.polynomials.key(x.num), self.polynomials.key(x.den)
 
     def sqrt(self, x: RationalFunction) -> RationalFunction | None:
-        """Return some y with y² = x, or None: numerator times denominator must be a square."""
+        """Return some y with y² = x, or None; numerator times denominator must be a square."""
         root = self.polynomials.sqrt(x.num * x.den)
         return None if root is None else self.quotient(root, x.den)
 
@@ -108,7 +110,9 @@ class RationalFunctions(FractionField):
         return super().orderings if self.characteristic else self.polynomials.orderings
 
     def sign(self, x: RationalFunction, ordering: int = 0) -> int:
-        """Return the sign in the ordering by leading coefficients, the first variable the largest."""
+        """Return the sign in the ordering by leading coefficients, where the first variable is the
+        largest.
+        """
         if self.characteristic or ordering:
             return super().sign(x, ordering)
         return self.polynomials.sign(x.num)
@@ -142,7 +146,7 @@ class RationalFunctions(FractionField):
         return self.polynomials.variables_in(x.num) | self.polynomials.variables_in(x.den)
 
     def to_sympy(self, x: RationalFunction, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return the fraction as an expression, numerator and denominator multiplied out."""
+        """Return the fraction as an expression with expanded numerator and denominator."""
         num, den = (self.polynomials.to_sympy(p, symbols) for p in (x.num, x.den))
         return num / den
 

@@ -1,9 +1,8 @@
-"""One page of HTML in which the centre of a domain is dragged: offline, with scripts of its own.
+"""An HTML page on which the centre of a domain can be dragged; it works offline, with its own scripts.
 
-The group comes along as the matrices of the units that pair the sides, in floats; the script finds the
-domain around any other point of the disc by reducing them by one another. Where the centre is a point
-that units fix, they are those of another domain. What the page computes is
-not proved, and it says so.
+The page contains the units that pair the sides, as float matrices; the script reduces them by one another to
+find the domain around any other point of the disc. If the centre is a point that units fix, the units are
+those of another domain. The results on the page are not proved, and the page says so.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
 
 
 def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> str:
-    """Return the page; it starts dark if ``dark``, else with the colour scheme of the reader's system."""
+    """Return the page; it starts dark if ``dark``, else in the colour scheme of the reader's system."""
     here = files(__name__)
     group, order = domain.group, domain.group.order
     genus, orders, cusps = group.signature
@@ -59,10 +58,10 @@ def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> 
 
 
 def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, object]:
-    """Return the units of sides as pairs of complex numbers, where the centre is, and the area.
+    """Return the units of the sides as pairs of complex numbers, the position of the centre, and the area.
 
-    They pair the sides of a domain around the point ``first`` of the disc, which no unit fixes. ``corner`` is
-    the direction of the first side of a sector.
+    The units pair the sides of a domain around ``first``, a point of the disc that no unit fixes. ``corner``
+    is the direction of the first side of a sector.
     """
     plane = domain.polygon.plane
     sight, given = Sight(plane), domain if domain.stabiliser == 1 else domain.group.domain()
@@ -96,7 +95,7 @@ def write(
     replace: bool | None = None,
     points: Iterable[CMPoint] = (),
 ) -> None:
-    """Write the page. Raises :class:`LatticeError` where the file cannot be written."""
+    """Write the page. Raises :class:`LatticeError` if the file cannot be written."""
     try:
         with whole_file(Path(str(path)), replace) as part:
             part.write_text(page(domain, dark, points), encoding="utf-8")

@@ -33,9 +33,9 @@ UNITS = ("e*e == e", *(f"{x} == {y}" for y in "ijk" for x in (f"e*{y}", f"{y}*e"
 RELATIONS = "i*i == -e and j*j == -e and k*k == -e and (i*j)*k == -e"
 
 
-# Section 1.3.1 from Definition 4 on: inverses, zero norms, formally real fields, Theorem 3
-# For a nonzero q of norm 0 in a field F, one of its coordinates is not 0, and dividing by its square
-# makes −1 a sum of three squares.
+# Section 1.3.1 from Definition 4 on: inverses, zero norms, formally real fields, Theorem 3. A
+# nonzero q of norm 0 over a field F has a nonzero coordinate, and dividing by its square makes −1 a
+# sum of three squares.
 THREE_SQUARES = Every(
     tuple(
         Assertion(
@@ -111,11 +111,11 @@ REAL = "Angles are real numbers."
 
 
 def real(formula: str) -> OnlyOver:
-    """Return a statement about angles: it means something over RR only."""
+    """Return a statement about angles, which has a meaning only over RR."""
     return OnlyOver(Assertion(formula), ("RR",), REAL, (CIRCLE,))
 
 
-# q0 = y and ‖q⃗‖ = z; the angle sought is that of (y, z) or of (−y, z), whichever is not (1, 0).
+# q0 = y and ‖q⃗‖ = z; the required angle is that of (y, z) or of (−y, z), whichever is not (1, 0).
 SQUARES = (
     "y**2 + z**2 == 1 => "
     "(y != 1 and y**2 + z**2 == 1) or (-y != 1 and (-y)**2 + z**2 == 1 and (-y)**2 == y**2)"

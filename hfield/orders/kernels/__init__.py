@@ -1,7 +1,8 @@
 """Choose between the functions for any base and their faster variants over ℤ.
 
-``general`` has every function for any rank 4n; ``rank4`` has some of them for n = 1, over ℤ. Leaving a
-function out of ``rank4`` changes times, and where several answers are right, which of them is found.
+``general`` has every function for any rank 4n; ``rank4`` has faster variants of some for n = 1, over ℤ.
+Removing a function from ``rank4`` changes only the speed and, if several answers are correct, which one is
+returned.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ Rows = tuple[int, fmpz_mat]
 
 
 class Kernels:
-    """The functions for lattices over a base: ℤ, polynomials, or another one."""
+    """The functions for lattices over a base: ℤ, polynomials, or any other."""
 
     first_order: Callable[[AlgebraBasis], Rows]
     norm: Callable[[AlgebraBasis, Sequence[fmpz_mat], fmpz, int], BaseIdeal]
@@ -52,8 +53,8 @@ class Kernels:
             setattr(self, name, getattr(own, name, getattr(general, name)))
 
     def choose(self, general: FunctionT, **own: FunctionT) -> FunctionT:
-        """Return a function for any base, or the one for this base, named ``rank4`` or ``polynomials``.
+        """Return the variant for this base of a function for any base, from ``rank4`` or ``polynomials``.
 
-        Modules that stand on lattices choose so among their functions.
+        Modules that build on lattices choose among their own functions in this way.
         """
         return own.get(self._name, general)

@@ -1,8 +1,8 @@
 """Maximal orders over ℤ from ternary forms, also at large primes.
 
-A ternary lattice with an integral form gives an order, its even Clifford algebra, whose reduced
-discriminant is the half-discriminant of the form (Voight, *Quaternion Algebras*, chapter 22); so a maximal
-order comes from a form minimised at every prime.
+A ternary lattice with an integral form gives an order, its even Clifford algebra, whose reduced discriminant
+is the half-discriminant of the form (Voight, *Quaternion Algebras*, chapter 22). So a form that is minimal at
+every prime gives a maximal order.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from hfield.fields.rationals.whole_numbers import fraction
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:
-    """Return a basis of a maximal order, over e, i, j, k, of an algebra that is not degenerate.
+    """Return a basis of a maximal order, over e, i, j, k, of a nondegenerate algebra.
 
-    The constants are Fractions. Raises :class:`UndecidedError` when they are too hard to factor.
+    The constants are Fractions. Raises :class:`UndecidedError` if they cannot be factored.
     """
     c = Constants(*map(fmpq, c))  # quicker than Fractions
     a, t, b = c

@@ -1,9 +1,9 @@
 """Products I·J of a right and a left ideal of one order, by linear algebra modulo the norm of J.
 
-If J is locally principal, ``J = O·α + O·n`` for n = N(J) and any α in J with N(α)/n prime to n. So
-``I·J = I·α + I·n`` (Voight, *Quaternion Algebras*, section 16.3). In coordinates over I this product is the
-row space of one 4 × 4 matrix modulo n. If that is free of rank 2, its echelon form gives a basis, without a
-Hermite form of sixteen rows.
+If J is locally principal, ``J = O·α + O·n`` for n = N(J) and any α in J with N(α)/n prime to n. So ``I·J =
+I·α + I·n`` (Voight, *Quaternion Algebras*, section 16.3). In coordinates over I this product is the row space
+of one 4 × 4 matrix modulo n. If the row space is free of rank 2, its echelon form gives a basis, and no
+Hermite form of sixteen rows is needed.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ def _quick(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> La
 def modulo_norm(
     first: LatticeValue, second: LatticeValue, order: LatticeValue
 ) -> LatticeValue | None:
-    """Return ``first·second`` for a right and a left ideal of an order over ℤ; None where this fails."""
+    """Return ``first·second`` for a right and a left ideal of an order over ℤ; None if this method fails."""
     r = first.ambient
     n = _index_root(second, order)
-    # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
+    # since 1 is in n⁻¹·J, the index determines that J is O where n is a unit, and O·α elsewhere
     if n is None or not hermite.contains(second.den, second.matrix, 1, (int(n), 0, 0, 0)):
         return None
     alpha = _generator(second, n)
@@ -79,7 +79,7 @@ def _index_root(ideal: LatticeValue, order: LatticeValue) -> fmpz | None:
 
 
 def _generator(ideal: LatticeValue, n: fmpz) -> tuple[fmpz, ...] | None:
-    """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
+    """Return a row α of the ideal with N(α)/n prime to n; for other α the two pivots would not be units."""
     r, entries = ideal.ambient, ideal.matrix.entries()
     unit = r.scale * ideal.den**2 * n
     for m in (0, 4, 8, 12):
@@ -91,10 +91,10 @@ def _generator(ideal: LatticeValue, n: fmpz) -> tuple[fmpz, ...] | None:
 
 
 def _echelon(rows: Iterator[list[fmpz]], n: fmpz) -> list[fmpz] | None:
-    """Return the entries of a basis of the row space and n·ℤ⁴, of index n²: two rows, and twice n.
+    """Return the entries of a basis of the row space plus n·ℤ⁴, of index n²: two rows, and twice n.
 
-    The product lies above and has this index, so two rows with a minor that is a unit modulo n span it.
-    None where there is none.
+    The lattice contains the product and has this index, so two rows with a minor that is a unit modulo n span
+    it. None if there are none.
     """
     before: list[list[fmpz]] = []
     for second in rows:
@@ -108,7 +108,7 @@ def _echelon(rows: Iterator[list[fmpz]], n: fmpz) -> list[fmpz] | None:
 
 
 def _reduced(first: list[fmpz], second: list[fmpz], p: int, q: int, u: fmpz, n: fmpz) -> list[fmpz]:
-    """Make columns p and q of two rows those of the identity; u is the inverse of their minor."""
+    """Make columns p and q of two rows those of the identity matrix; u is the inverse of their minor."""
     a, b, c, d = first[p] * u % n, first[q] * u % n, second[p] * u % n, second[q] * u % n
     found = [0] * 16
     for m in range(4):

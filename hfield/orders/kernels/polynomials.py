@@ -1,4 +1,4 @@
-"""The functions for lattices over 𝔽_q[t] that differ because elements are ordered by degree, not by trace."""
+"""Functions for lattices over 𝔽_q[t] that differ because elements are ordered by degree, not by trace."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def class_forms(
     ambient: AlgebraBasis, grams: list[fmpz_mat], norm: BaseNumber, units: Sequence[BaseNumber]
 ) -> list[fmpz_mat]:
-    """Return the forms unchanged: only degrees are compared, and units and ν do not affect the comparison."""
+    """Return the forms unchanged: only degrees are compared, and units and ν do not change the comparison."""
     return grams
 
 
@@ -32,7 +32,7 @@ def has_norm(ambient: AlgebraBasis, den: Integer, row: IntegerMatrix, norm: Base
 def least_products(
     vectors: Sequence[tuple[int, list[int]]], forms: Sequence[fmpz_mat]
 ) -> Sequence[int]:
-    """Return the numbers of all vectors: none is preferred."""
+    """Return the indices of all vectors: no vector is preferred."""
     return range(len(vectors))
 
 

@@ -36,7 +36,7 @@ def content(gram: fmpz_mat) -> fmpz:
 
 
 def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Fraction:
-    """Return the gcd of all norms, which is the content."""
+    """Return the gcd of all norms, which equals the content."""
     return Fraction(int(content), ambient.scale * den * den)
 
 
@@ -46,7 +46,7 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Fraction:
 
 
 def index(lattice: LatticeValue, other: LatticeValue) -> Fraction:
-    """Return the ratio of the determinants, as one fraction."""
+    """Return the ratio of the determinants as a fraction."""
     volume = int(_determinant(other.matrix)) * lattice.den**4
     return Fraction(volume, int(_determinant(lattice.matrix)) * other.den**4)
 
@@ -58,7 +58,9 @@ def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
 
 
 def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
-    """Compare determinants, the products of diagonals."""
+    """Return whether the index is the square of the norm, by determinants, which are products of
+    diagonals.
+    """
     content, scale = ideal.content, order.den**4 * ideal.ambient.scale**2
     index = _determinant(ideal.matrix) * scale
     return bool(index == content * content * _determinant(order.matrix))
@@ -88,5 +90,5 @@ def theta_series(
     step: Fraction,
     bound: int,
 ) -> list[int]:
-    """Count vectors by the values of the form: a value 2m belongs to the norm ``m·step``."""
+    """Count vectors by the values of the form; the value 2m belongs to the norm ``m·step``."""
     return enumeration.theta_series(gram, bound, "elements as short as")

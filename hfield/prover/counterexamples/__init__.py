@@ -1,1 +1,1 @@
-"""The search for values at which a statement is false, or true."""
+"""Search for values at which a statement is false, or true."""

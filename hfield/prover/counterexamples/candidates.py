@@ -1,7 +1,7 @@
 """Search for values of the unknowns that make a statement false or true.
 
-Small values come first, so that the witness found is one that people can check by hand: first the
-prime field on Python's numbers, then small elements of the field, zero divisors among them.
+Small values come first, so that the witness can be checked by hand: first the prime field, with Python's
+numbers, then small elements of the field, including zero divisors.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ def by_weight(
     heaviest: int,
     letters: frozenset[str] = frozenset(),
 ) -> Iterator[Assignment]:
-    """Yield assignments by total weight, where ``scalars[n]`` has weight n and the first is 0.
+    """Yield assignments by total weight, where ``scalars[n]`` has weight n, and ``scalars[0]`` is 0.
 
-    The ``letters`` have other weights: first −1, then 1, 2 and the rest, and 0 last.
+    ``letters`` are tried in another order: first −1, then 1, 2 and the rest, and 0 last.
     """
     names = [name for name, _ in unknowns]
     for values in _values(_shape(unknowns, letters), scalars, heaviest):
@@ -69,7 +69,7 @@ def _values(shape: Shape, scalars: Sequence[Scalar], heaviest: int) -> Iterator[
 
 
 def nonzero_first(scalars: Sequence[Scalar]) -> list[Scalar]:
-    """Reorder: the third, −1, first, and 0 last."""
+    """Return the scalars reordered: the third one, −1, comes first, and 0 last."""
     return [*scalars[2:3], *scalars[1:2], *scalars[3:], *scalars[:1]]
 
 
@@ -94,7 +94,7 @@ def prime_scalars(p: int) -> tuple[int, ...]:
 
 @lru_cache(maxsize=64)
 def small_scalars(field: Ring) -> tuple[Scalar, ...]:
-    """Return some elements of the field, 0 and 1 first; all of them if there are at most 64."""
+    """Return some elements of the field, beginning with 0 and 1; all of them if there are at most 64."""
     if field.order is not None:
         return tuple(islice(field.elements(), 64))
     found: dict[Hashable, Scalar] = {}
@@ -119,7 +119,7 @@ def small_scalars(field: Ring) -> tuple[Scalar, ...]:
 
 @lru_cache(maxsize=256)
 def zero_divisors(setting: Setting) -> tuple[Coordinates, ...]:
-    """Return elements of norm 0, if the field is known to have some in the algebra."""
+    """Return elements of norm 0 if the algebra is known to have some."""
     from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
 
     field = setting.field
@@ -181,9 +181,9 @@ def from_pool(
 
 
 def prime_search(problem: Problem, p: int, limit: int, wanted: bool = False) -> Assignment | None:
-    """Search the prime field of characteristic p; its witnesses hold over every extension.
+    """Search the prime field of characteristic p; a witness found there holds over every extension.
 
-    Fields of one characteristic share the answer, and a search that goes further goes on from there.
+    Fields of the same characteristic share the result, and a longer search continues a shorter one.
     """
     if problem.statement.constants:
         return None
@@ -205,7 +205,7 @@ class _PrimeSearch:
     found: Assignment | None = None  # at the last place tried
 
     def further(self, problem: Problem, limit: int) -> Assignment | None:
-        """Return the first hit among ``limit`` places, of which only those not tried yet are visited."""
+        """Return the first hit among ``limit`` points, trying only those that were not tried before."""
         if self.found is None and self.tried < limit:
             self._try(problem, limit)
         return None if self.found is None or self.tried > limit else dict(self.found)
@@ -230,7 +230,7 @@ class _PrimeSearch:
 
 
 def _places(shape: Shape, scalars: tuple[int, ...], start: int, limit: int) -> Iterator[Values]:
-    """Yield values of unknowns by weight, from index ``start`` on."""
+    """Yield values of unknowns by weight, starting at index ``start``."""
     kept = next((count for count in KEPT if limit <= count), None)
     places = _values(shape, scalars, HEAVIEST) if kept is None else _kept(shape, scalars, kept)
     return islice(places, start, limit)
@@ -256,7 +256,7 @@ def ring_search(problem: Problem, limit: int, wanted: bool = False) -> Assignmen
 
 
 def true_place(problem: Problem, limit: int) -> Assignment | None:
-    """Return values that make the statement true, or None."""
+    """Return values at which the statement is true, or None."""
     field = problem.field
     primes = (0, 2, 3) if field is None else (field.characteristic,) if field.is_field else ()
     for p in primes:
@@ -267,7 +267,7 @@ def true_place(problem: Problem, limit: int) -> Assignment | None:
 
 
 def witness_texts(field: Ring, assignment: Assignment) -> dict[str, list[str]]:
-    """Write an assignment so that the field reads it back."""
+    """Write an assignment as texts that the field can read back."""
     return {
         name: [field.text(u) for u in (x if isinstance(x, tuple) else (x,))]
         for name, x in assignment.items()

@@ -1,9 +1,8 @@
 """Find values at which a statement fails, by search or by solving equations.
 
-Conditions are solved by small values, and what follows from them: variables get values one after the other,
-and whenever a condition is left with a single variable, its value follows (a linear equation, a square root,
-or one of a few values). This finds what looking at small places alone does not: hypotheses such as
-``3*p == inv(q)``.
+Conditions are solved by trying small values and propagating: variables get values one after another, and when
+a condition has only one variable left, its value follows (from a linear equation, a square root, or a few
+candidates). This finds values that a search of small points misses, for hypotheses such as ``3*p == inv(q)``.
 """
 
 from __future__ import annotations
@@ -62,7 +61,7 @@ def search_counterexample(problem: Problem, limit: int) -> Assignment | None:
 def solve_clauses(
     problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
 ) -> Assignment | None:
-    """Search for a counterexample by solving the hypotheses, and test it in the statement."""
+    """Search for a counterexample by solving the hypotheses, and test it on the statement."""
     test = Searcher(problem, RingScalars(problem.ring)).test
     quaternions = quaternions_of(problem)
     for clause in left:
@@ -77,7 +76,7 @@ def solve_clauses(
 
 
 def on_axes(clause: PolynomialClause) -> Iterator[PolynomialClause]:
-    """Yield clauses in which all variables of the conditions but one are 0."""
+    """Yield clauses in which all but one of the variables of the conditions are 0."""
     gens = clause.zeros[0].context().gens() if clause.zeros else ()
     used = [g for n, g in enumerate(gens) if any(z.degrees()[n] for z in clause.zeros)]
     for own in used[:MAX_AXES] if len(used) > 1 else ():
@@ -88,10 +87,11 @@ def narrowed(
     clause: PolynomialClause,
     quaternions: Sequence[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]],
 ) -> Iterator[PolynomialClause]:
-    """Yield clauses with more conditions, whose counterexamples are also counterexamples of the clause.
+    """Yield clauses with more conditions; counterexamples to them are counterexamples to the clause.
 
-    A norm is 0 where its quaternion is, and a quadratic polynomial that is never negative where its
-    gradient is: those are linear conditions, which small places may all miss, as in ``norm(p + 7)``.
+    A norm is replaced by the condition that its quaternion is 0, and a quadratic polynomial that is never
+    negative by the condition that its gradient is 0. These conditions are linear; small points may all miss
+    them, as for ``norm(p + 7)``.
     """
     for q, norm in quaternions:
         if norm in clause.zeros or -norm in clause.zeros:
@@ -111,9 +111,9 @@ Polynomial = dict[Monomial, Scalar]
 
 
 def solve(problem: Problem, x: Expanded, clause: PolynomialClause) -> Assignment | None:
-    """Return values at which the clause fails: its zeros vanish, and no goal does entirely.
+    """Return values at which the clause fails: its zeros vanish, but not all polynomials of any goal.
 
-    0 is the last value that letters are given.
+    For letters, 0 is tried last.
     """
     field = problem.ring
     zeros = [dict(coefficients(z, x, field)) for z in clause.zeros]
@@ -133,10 +133,12 @@ class _Solver:
         self.problem, self.field, self.unknowns = problem, problem.ring, x.unknowns
         self.letters = {n for n, name in enumerate(x.variables) if name in problem.letters}
         self.nodes = 0
-        self.eliminated: list[tuple[int, Polynomial]] = []  # variable, what it is equal to
+        self.eliminated: list[tuple[int, Polynomial]] = []  # variable, its value
 
     def eliminate(self, zeros: list[Polynomial], goals: list[list[Polynomial]]) -> None:
-        """Eliminate variables by conditions ``c·v + rest = 0``, in place, while polynomials stay small."""
+        """Eliminate variables in place by conditions ``c·v + rest = 0``, as long as polynomials
+        stay small.
+        """
         while True:
             found = next((hit for z in zeros for hit in self.expressions(z)), None)
             if found is None:
@@ -151,7 +153,7 @@ class _Solver:
             self.eliminated.append((n, expression))
 
     def expressions(self, z: Polynomial) -> Iterator[tuple[int, Polynomial]]:
-        """Yield the variables that a condition expresses by the others."""
+        """Yield the variables that a condition expresses by the other variables."""
         field = self.field
         for m, c in z.items():
             if sum(m) == 1:
@@ -209,7 +211,9 @@ class _Solver:
         return None
 
     def next(self, zeros: Sequence[Polynomial]) -> tuple[int, Iterator[Scalar]]:
-        """Return a variable and the values to try: one that is determined, or the most tangled."""
+        """Return the next variable and the values to try: a determined variable, or one in the most
+        conditions.
+        """
         weights: dict[int, list[int]] = {}
         for z in zeros:
             variables = _variables(z)
@@ -253,7 +257,7 @@ class _Solver:
     def finish(
         self, goals: list[list[Polynomial]], values: dict[int, Scalar]
     ) -> dict[int, Scalar] | None:
-        """Choose the remaining variables so that no goal vanishes entirely."""
+        """Choose the remaining variables so that in no goal all polynomials vanish."""
         chosen = values.keys() | {n for n, _ in self.eliminated}
         free = [n for n in range(self.unknowns) if n not in chosen]
         left = [next(f for f in goal if f) for goal in goals]
@@ -302,8 +306,8 @@ def nonzero_place(
 ) -> Assignment | None:
     """Return values of the unknowns at which none of the polynomials is 0.
 
-    Over an infinite field there is such a place for polynomials that are not 0; over a finite one
-    for a single polynomial that is not 0 as a function. 0 is the last value for letters.
+    Over an infinite field such values exist for any nonzero polynomials; over a finite field for a single
+    polynomial that is not 0 as a function. For letters, 0 is tried last.
     """
     field = problem.ring
     left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
@@ -317,7 +321,9 @@ def nonzero_place(
 def nonzero_values(
     polynomials: list[Polynomial], variables: Iterable[int], letters: set[int], field: Ring
 ) -> dict[int, Scalar] | None:
-    """Choose values of the variables, one by one, at which no polynomial becomes 0; letters get 0 last."""
+    """Choose values of the variables, one by one, at which no polynomial becomes 0; for letters, 0 is tried
+    last.
+    """
     values: dict[int, Scalar] = {}
     for n in variables:
         for value in values_of(field, n in letters):
@@ -342,7 +348,7 @@ def _put(f: Polynomial, n: int, value: Scalar, field: Ring) -> Polynomial:
 
 
 def values_of(field: Ring, nonzero: bool = False) -> Iterator[Scalar]:
-    """Yield distinct elements of a field, small ones first: all, or a thousand of them.
+    """Yield distinct elements of a field, small ones first: all of them, or a thousand.
 
     With ``nonzero``, 0 comes last.
     """

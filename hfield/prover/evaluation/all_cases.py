@@ -36,9 +36,9 @@ MANY_CASES = (
 
 
 def coordinates(statement: Statement, used: frozenset[str] | None) -> list[tuple[str, int]]:
-    """Return the coordinates that a case distinction runs through; others do not matter.
+    """Return the coordinates over which a case distinction ranges; the others do not matter.
 
-    ``used`` are the texts of the coordinates that the statement depends on, None if not known.
+    ``used`` are the texts of the coordinates on which the statement depends; None if not known.
     """
     out = []
     for name, sort in statement.unknowns:
@@ -54,8 +54,8 @@ def counterexample(
 ) -> tuple[Assignment | None, int]:
     """Return the first case in which the statement is false (or ``wanted``), and the number of cases.
 
-    Raises :class:`TooLargeError` for more than 10⁸ cases, and :class:`UndecidedError` when the time
-    is over, and where there is none but some cases are undecided.
+    Raises :class:`TooLargeError` for more than 10⁸ cases. Raises :class:`UndecidedError` if time runs out, or
+    if no such case is found but some cases are undecided.
     """
     field = problem.ring
     assert field.order is not None
@@ -88,7 +88,7 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
     prime = field.is_field and field.order == field.characteristic and not statement.constants
     elements: Iterable[Scalar] = range(field.characteristic) if prime else field.elements()
     zero: Scalar = 0 if prime else field.zero
-    # elements are not listed where one is enough, or none: there may be 10⁸ of them, or more
+    # elements are not listed if at most one is needed: there may be 10⁸ or more
     cases = ((x,) for x in elements) if len(places) == 1 else product(elements, repeat=len(places))
     scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
     seeker = Searcher(problem, scalars, wanted)
@@ -100,7 +100,7 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
         try:
             if seeker.decide(assignment):
                 return lifted(field, assignment)
-        except UndecidedError as error:  # another case may tell
+        except UndecidedError as error:  # another case may decide
             doubt = doubt or error
     if doubt is not None:
         raise doubt
@@ -138,7 +138,7 @@ def _in_blocks(problem: Problem, places: list[tuple[str, int]], wanted: bool) ->
 
 
 class _Table:
-    """The arithmetic of a finite ring on the indices of its elements, which are their labels if ``loops``."""
+    """The arithmetic of a finite ring on the indices of its elements, which are labels if ``loops``."""
 
     def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
@@ -153,7 +153,7 @@ class _Table:
         dtype = compiled.dtype if compiled else np.int64 if prime else np.uint16
         self.kind: np.dtype[np.integer] = np.dtype(dtype)
         if compiled:
-            # Of "sum", "difference", "product" and "negative" one is computed, of arrays of indices.
+            # One of "sum", "difference", "product" and "negative" is computed on arrays of indices.
             self.compute: Callable[..., Indices] = compiled
         else:
             operations = _modulo(p) if prime else self._tabulated()
@@ -163,7 +163,7 @@ class _Table:
     def units(self) -> tuple[npt.NDArray[np.bool_], Indices]:
         """The mask of units, and the inverses, 0 for other elements.
 
-        Raises :class:`UndecidedError` where the ring does not know.
+        Raises :class:`UndecidedError` if the ring does not decide which elements are units.
         """
         import numpy as np
 
@@ -182,7 +182,7 @@ class _Table:
         return np.array([self.index[self.field.key(x)] for x in elements], self.kind)
 
     def _tabulated(self) -> Operations:
-        """Return the operations by their tables."""
+        """Return the operations, by tables."""
         import numpy as np
 
         every = self.elements
@@ -201,7 +201,9 @@ class _Table:
 
 
 def _modulo(p: int) -> Operations:
-    """Return the operations on residues, of which none is below 0: with those numpy divides more slowly."""
+    """Return the operations on residues, kept nonnegative because numpy divides negative numbers
+    more slowly.
+    """
     return {
         "sum": lambda x, y: (x + y) % p,
         "difference": lambda x, y: (x + p - y) % p,
@@ -211,7 +213,7 @@ def _modulo(p: int) -> Operations:
 
 
 class _Entries:
-    """An array of indices that adds and multiplies by the table."""
+    """An array of indices whose addition and multiplication use tables."""
 
     __slots__ = ("array", "table")
 

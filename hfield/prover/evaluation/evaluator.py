@@ -1,8 +1,8 @@
 """Turn a statement into a function of the values of its unknowns.
 
-What each node is, which terms are quaternions and what a name means is settled once, so that a search
-evaluates thousands of places at the cost of the arithmetic. It runs over any :class:`Scalars`, and uses the
-product of :mod:`hfield.core.product`. A comparison with an undefined division is false.
+The sort of each node and the meaning of each name are determined once, so a search that evaluates thousands
+of points pays only for the arithmetic. The scalars can be any :class:`Scalars`; products use
+:mod:`hfield.core.product`. A comparison with an undefined division is false.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -51,14 +51,14 @@ Term: TypeAlias = ScalarTerm[S] | QuaternionTerm[S]
 
 
 class UndefinedTermError(Exception):
-    """A term has no value at this place."""
+    """A term has no value at this point."""
 
 
 class Evaluator(Generic[S, C, T]):
     """Evaluates statements in the algebra whose structure constants are ``trees``.
 
-    ``sorts`` are the unknowns, ``fixed`` the values of the field's constants, by their texts. A truth value
-    is whatever the scalars make of a comparison.
+    ``sorts`` are the unknowns, ``fixed`` the values of the field's constants, by text. The type of a truth
+    value is determined by the scalars.
     """
 
     def __init__(
@@ -70,17 +70,17 @@ class Evaluator(Generic[S, C, T]):
     ) -> None:
         self.scalars, self.sorts = scalars, sorts or {}
         self.fixed: Mapping[str, S] = fixed or {}
-        self.defined = scalars.always  # what the comparison that is being evaluated depends on
+        self.defined = scalars.always  # the conditions of the comparison that is being evaluated
         self.partial = 0  # how many terms were read that need not be defined
         self.values: Values[S] = {}
         self.constants = Constants(scalars.zero, scalars.zero, scalars.zero)
         self.structure = [self._scalar(self._term(tree)) for tree in trees]
 
     def bind(self, values: Values[S]) -> C:
-        """Assign values to the unknowns, and to the structure constants, which may depend on them.
+        """Assign values to the unknowns, and to the structure constants, which may depend on the unknowns.
 
-        Returns the condition under which the structure constants are defined; elsewhere there is no
-        algebra, and nothing that a statement could be about.
+        Return the condition under which the structure constants are defined. Where it is false there is no
+        algebra, and the statement has no content.
         """
         self.values, self.defined = values, self.scalars.always
         try:
@@ -90,11 +90,11 @@ class Evaluator(Generic[S, C, T]):
         return self.defined
 
     def truth(self, node: Node) -> T:
-        """Evaluate a statement without quantifiers at the values that are bound."""
+        """Evaluate a quantifier-free statement at the current values."""
         return self.function(node)(self.values)
 
     def term(self, node: Node) -> tuple[S | Four[S], C]:
-        """Evaluate a term to a scalar or to a tuple of four, with the condition of being defined."""
+        """Evaluate a term to a scalar or a tuple of four, with the condition that it is defined."""
         self.defined = self.scalars.always
         try:
             value = self._term(node).value(self.values)
@@ -103,14 +103,14 @@ class Evaluator(Generic[S, C, T]):
         return value, self.defined
 
     def embed(self, x: S | Four[S]) -> Four[S]:
-        """Return the coordinates of x, where a scalar s is s·e."""
+        """Return the coordinates of x; a scalar s counts as s·e."""
         zero = self.scalars.zero
         return x if isinstance(x, tuple) else (x, zero, zero, zero)
 
     # --- statements ------------------------------------------------------------------------------
 
     def function(self, node: Node) -> Truth[S, T]:
-        """Return the truth of a statement without quantifiers as a function of the unknowns' values."""
+        """Return the truth of a quantifier-free statement as a function of the unknowns' values."""
         scalars = self.scalars
         match node:
             case Compare():
@@ -123,7 +123,9 @@ class Evaluator(Generic[S, C, T]):
         raise AssertionError(node)
 
     def _joined(self, op: str, f: Truth[S, T], g: Truth[S, T]) -> Truth[S, T]:
-        """Join statements. Where truth is plain one side often settles it; arrays and formulas need both."""
+        """Join statements. If truth values are plain, one side often decides; arrays and formulas
+        need both.
+        """
         both, either, negate = self.scalars.both, self.scalars.either, self.scalars.negate
         true, false = self.scalars.true, self.scalars.false
 
@@ -254,7 +256,7 @@ class Evaluator(Generic[S, C, T]):
         return ScalarTerm(lambda v: coordinates(v)[index])
 
     def _embedded(self, term: Term[S]) -> Callable[[Values[S]], Four[S]]:
-        """Return the coordinates of a term, where a scalar s is s·e."""
+        """Return the coordinates of a term; a scalar s counts as s·e."""
         if isinstance(term, QuaternionTerm):
             return term.value
         f, zero = term.value, self.scalars.zero
@@ -307,7 +309,7 @@ class Evaluator(Generic[S, C, T]):
         return QuaternionTerm(lambda v: multiply(self.constants, p(v), q(v)))
 
     def _power(self, node: Power) -> Term[S]:
-        """Return a power by repeated squaring; a negative one is one of the inverse."""
+        """Return a power by repeated squaring; a negative power is a power of the inverse."""
         term, exponent = self._term(node.base), node.exponent
         one, times, multiply = self.scalars.one, self.scalars.times, self.scalars.multiply
         if exponent == 0:  # of what has to be defined
@@ -332,7 +334,7 @@ class Evaluator(Generic[S, C, T]):
         return (w * factor, x * factor, y * factor, z * factor), defined
 
     def _call(self, node: Call) -> Term[S]:
-        """Return the value of a function of quaternions, or a constant of the field that is written so."""
+        """Return the value of a function of quaternions, or of a constant of the field written as a call."""
         function = node.function
         if function not in RESULT:
             return self._fixed(to_text(node))

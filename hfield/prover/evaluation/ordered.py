@@ -75,7 +75,7 @@ class OrderedEvaluator(Evaluator[S, bool, bool]):
         self.holds = self.function(read.ordered)
 
     def fails(self, place: Values[S]) -> bool:
-        """Return whether the algebra exists at a point, and the statement is false there."""
+        """Return whether at a point the algebra exists and the statement is false."""
         try:
             return bool(self.bind(place)) and self.holds(place) is False
         except (HFieldError, OverflowError):
@@ -84,7 +84,7 @@ class OrderedEvaluator(Evaluator[S, bool, bool]):
     def margins(
         self: OrderedEvaluator[float], node: Node
     ) -> list[Callable[[Values[float]], float]]:
-        """Return functions of float places that are negative where a comparison is false."""
+        """Return functions of float points that are negative where a comparison is false."""
         out: list[Callable[[Values[float]], float]] = []
         for part in walk_once(node):
             if isinstance(part, Compare) and part.op in ORDER:

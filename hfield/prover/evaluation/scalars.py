@@ -1,7 +1,7 @@
-"""The scalars of an evaluation: elements of a ring, or numbers for its prime field.
+"""The scalars of an evaluation: elements of a ring, or Python numbers for its prime field.
 
-The evaluator asks nothing else of them, so that arrays and polynomials serve as well (``all_cases``,
-``expansion``). A value that need not exist comes with the condition under which it does.
+The evaluator needs only this interface, so arrays and polynomials can be used as well (``all_cases``,
+``expansion``). A value that may be undefined comes with the condition that it is defined.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ class Scalars(ABC, Generic[S, C, T]):
 
     @abstractmethod
     def number(self, value: int | Fraction) -> tuple[S, C]:
-        """Turn a literal into a scalar."""
+        """Convert a literal to a scalar."""
 
     @abstractmethod
     def reciprocal(self, x: S) -> tuple[S, C]:
-        """Return 1/x and the condition under which there is one."""
+        """Return 1/x and the condition that it exists."""
 
     @abstractmethod
     def equal(self, differences: Iterable[S], defined: C) -> T:
@@ -61,7 +61,7 @@ class Scalars(ABC, Generic[S, C, T]):
 
     @abstractmethod
     def together(self, x: C, y: C) -> C:
-        """Return the condition "x and y"."""
+        """Return the conjunction of two conditions."""
 
     @abstractmethod
     def both(self, x: T, y: T) -> T:
@@ -96,7 +96,7 @@ class Scalars(ABC, Generic[S, C, T]):
 
 
 class Decided(Scalars[S, bool | T, bool | T]):
-    """Scalars with a decidable test for 0: truth values are Python's, or arrays of numpy."""
+    """Scalars with a decidable test for 0; truth values are Python's, or numpy arrays."""
 
     always = true = True
     never = false = False
@@ -112,7 +112,7 @@ class Decided(Scalars[S, bool | T, bool | T]):
         """Return an integer as a scalar."""
 
     def number(self, value: int | Fraction) -> tuple[S, bool | T]:
-        """Return a literal; where its denominator has no inverse it is not defined."""
+        """Return a literal; it is undefined if its denominator is not invertible."""
         if isinstance(value, int):
             return self.integer(value), self.always
         x, defined = self.reciprocal(self.integer(value.denominator))
@@ -126,7 +126,7 @@ def some_nonzero(ring: Ring, elements: Iterable[Scalar]) -> bool:
         try:
             if not ring.is_zero(x):
                 return True
-        except UndecidedError as error:  # another element may tell
+        except UndecidedError as error:  # another element may decide
             doubt = doubt or error
     if doubt is not None:
         raise doubt
@@ -146,11 +146,11 @@ class OrderedScalars(Decided[S, bool]):
 
     @abstractmethod
     def root(self, x: S) -> S:
-        """Return the square root of a scalar that is not negative. Raises HFieldError if not known."""
+        """Return the square root of a nonnegative scalar. Raises HFieldError if it is not known."""
 
 
 class RingScalars(OrderedScalars[Scalar]):
-    """Elements of a ring: a statement becomes true or false."""
+    """Scalars in a ring; a statement evaluates to true or false."""
 
     times = staticmethod(mul)  # type: ignore[assignment]
     multiply = staticmethod(multiply)  # type: ignore[assignment]
@@ -197,7 +197,7 @@ class RingScalars(OrderedScalars[Scalar]):
 
 
 class PrimeScalars(Decided["Rational", bool]):
-    """The prime field of a characteristic on Python's own numbers, for fast searches."""
+    """The prime field of a characteristic in Python's numbers, for fast searches."""
 
     zero, one = 0, 1
 
@@ -208,7 +208,7 @@ class PrimeScalars(Decided["Rational", bool]):
             self.multiply = multiply  # type: ignore[method-assign, assignment]
 
     def integer(self, n: int) -> Rational:
-        """Return the number itself."""
+        """Return the integer unchanged."""
         return n
 
     def reciprocal(self, x: Rational) -> tuple[Rational, bool]:
@@ -219,13 +219,13 @@ class PrimeScalars(Decided["Rational", bool]):
         return (pow(n, -1, self.p), True) if n else (0, False)
 
     def times(self, x: Rational, y: Rational) -> Rational:
-        """Return a product below p."""
+        """Return the product reduced modulo p."""
         return x * y % self.p
 
     def multiply(
         self, constants: Constants, p: Four[Rational], q: Four[Rational]
     ) -> Four[Rational]:
-        """Return a product whose coordinates are below p."""
+        """Return the product with coordinates reduced modulo p."""
         modulus = self.p
         return tuple([x % modulus for x in multiply(constants, p, q)])
 
@@ -243,6 +243,6 @@ class PrimeScalars(Decided["Rational", bool]):
 
 @lru_cache(maxsize=1024)
 def constant(field: Ring, text: str) -> Scalar:
-    """Return the element of the field that ``text`` names."""
+    """Return the element of the field given by a text."""
     x: Scalar = field(text)
     return x

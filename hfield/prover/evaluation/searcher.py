@@ -19,7 +19,7 @@ Assignment = dict[str, Scalar | tuple[Scalar, ...]]  # unknown → a scalar or a
 
 
 def lifted(field: Ring[E], found: Mapping[str, object]) -> dict[str, E | tuple[E, ...]]:
-    """Turn numbers, or the texts of coordinates, into elements of the field."""
+    """Convert numbers, or texts of coordinates, to elements of the field."""
     return {
         name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
         for name, x in found.items()
@@ -27,7 +27,9 @@ def lifted(field: Ring[E], found: Mapping[str, object]) -> dict[str, E | tuple[E
 
 
 def read_back(field: Ring, witness: Mapping[str, Sequence[str]]) -> Assignment:
-    """Return the values of a witness as elements of the field; its entry "F", a field's name, is ignored."""
+    """Return the values of a witness as elements of the field; the entry "F", the field's name, is
+    ignored.
+    """
     values = {name: texts for name, texts in witness.items() if name != "F"}
     return lifted(field, {n: tuple(x) if len(x) == 4 else x[0] for n, x in values.items()})
 
@@ -61,10 +63,10 @@ class Searcher:
         self.is_constant = not self.moving and sorts.keys().isdisjoint(names)
 
     def decide(self, assignment: Assignment) -> bool:
-        """Return whether the algebra exists there and the statement has the wanted truth value.
+        """Return whether at an assignment the algebra exists and the statement has the wanted truth value.
 
-        Raises :class:`UndecidedError` where that is not known: a local field knows some digits only, and a
-        ring of one's own may not know which elements are units.
+        Raises :class:`UndecidedError` if this is not known, because a local field knows only some digits, or
+        a user-defined ring may not know which elements are units.
         """
         exists = self.evaluator.bind(assignment) if self.moving else self.exists
         return bool(exists) and self.holds(assignment) is self.wanted
@@ -77,7 +79,7 @@ class Searcher:
             return False
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
-        """Return the first assignment with the wanted truth value, before the deadline."""
+        """Return the first assignment with the wanted truth value that is found before the deadline."""
         if self.is_constant:
             assignments = islice(assignments, 1)
         for assignment in assignments:

@@ -1,8 +1,8 @@
 """Solve equations without given values: linear equations, and equations in one unknown.
 
-Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
-unknown by the roots that the ring finds; q² + s·q = c for a quaternion by square roots, which the field finds
-by what it knows of conics.
+Linear equations over a Euclidean ring are solved by the Hermite normal form, over ℤ/n with multiples of n
+added. Equations in one unknown are solved by the ring's root finding. q² + s·q = c, for a quaternion q, is
+solved by square roots, which the field finds by conics.
 """
 
 from collections.abc import Iterator, Sequence
@@ -31,14 +31,14 @@ Polynomial = dict[Monomial, Scalar]
 
 @dataclass(frozen=True)
 class SolutionPlaces:
-    """Some ``places`` at which equations hold; ``none`` is True if they hold nowhere."""
+    """Some ``places`` (values) at which equations hold; ``none`` is True if they hold nowhere."""
 
     places: tuple[Assignment, ...] = ()
     none: bool = False
 
 
 def closed_solutions(problem: Problem) -> SolutionPlaces:
-    """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
+    """Solve the equations of a quantifier-free statement for all its unknowns, over one ring."""
     field = problem.ring
     roots = quaternion_roots(problem)
     if roots is not None:
@@ -66,7 +66,7 @@ def closed_solutions(problem: Problem) -> SolutionPlaces:
 
 
 def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[list[Scalar]]:
-    """Return some solutions, and some if there are any. Raises :class:`UndecidedError`."""
+    """Return several solutions, at least one if there are any. Raises :class:`UndecidedError`."""
     equations = [f for f in equations if f]
     used = {n for f in equations for m in f for n, e in enumerate(m) if e}
     if all(sum(m) <= 1 for f in equations for m in f):
@@ -102,7 +102,7 @@ def _value(c: Sequence[Scalar], x: Scalar, field: Ring) -> Scalar:
 
 
 def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[Scalar] | None:
-    """Return a solution of linear equations for the unknowns used, None if there is none."""
+    """Return a solution of linear equations for the unknowns ``used``, or None if there is none."""
     if max(len(equations), len(used)) > MAX_SIZE:
         raise UndecidedError("the linear equations are too many")
     rows = []
@@ -126,9 +126,10 @@ def _linear(equations: list[Polynomial], used: list[int], field: Ring) -> list[S
 
 
 def _hermite(rows: list[list[Scalar]], ring: Ring) -> list[Scalar] | None:
-    """Solve A·x + b = 0 over a Euclidean ring, each row of A with its b behind.
+    """Solve A·x + b = 0 over a Euclidean ring; each row of A ends with its entry of b.
 
-    Columns are combined until A is lower triangular; then each unknown follows by a division, or fails.
+    Columns are combined until A is lower triangular; then each unknown is obtained by a division, which may
+    fail.
     """
     width = len(rows[0]) - 1 if rows else 0
     columns = [[row[n] for row in rows] for n in range(width)]
@@ -164,8 +165,8 @@ Quadratic = tuple[Scalar, Coordinates]  # s/2 and c, for q² + s·q = c
 def quaternion_roots(problem: Problem) -> list[Coordinates] | None:
     """Return some quaternion roots of an equation, at least one if there are any.
 
-    None where there is no such equation, or where the field does not decide it. The statement has no
-    quantifier and one unknown, a quaternion.
+    None if there is no such equation, or the field does not decide it. The statement must be quantifier-free
+    with a single quaternion as unknown.
     """
     field, statement = problem.ring, problem.statement
     if not (field.is_field and field.is_exact):
@@ -188,7 +189,7 @@ def quaternion_roots(problem: Problem) -> list[Coordinates] | None:
 
 
 def _read(problem: Problem, node: Compare) -> Quadratic | None:
-    """Return s/2 and c if the equation says q² + s·q = c, up to a factor."""
+    """Return s/2 and c if the equation is q² + s·q = c, up to a factor."""
     field, world = problem.ring, Symbolic(problem)
     x = Expanded(world.context, world.variables, world.unknowns, ())
     name = Name(problem.statement.unknowns[0][0])
@@ -218,7 +219,7 @@ def _read(problem: Problem, node: Compare) -> Quadratic | None:
 
 
 def _divided(value: Term, x: Expanded, field: Ring) -> Polynomial:
-    """Return the coefficients of a polynomial, or of a fraction whose denominator is a number."""
+    """Return the coefficients of a polynomial, or of a fraction with a number as denominator."""
     if not isinstance(value, PolynomialFraction):
         return dict(coefficients(value, x, field))
     below = field.inverse(coefficients(value.bottom, x, field)[ONE])

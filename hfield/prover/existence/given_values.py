@@ -1,7 +1,7 @@
 """Decide statements "for all … there is …" by trying values of the given unknowns.
 
-Where the equations for the unknowns that exist are linear, elimination at one choice of values is quick, so
-that many are tried. Other modules prove what is found.
+If the equations for the existential unknowns are linear, elimination for one choice of given values is quick,
+so many choices are tried. Other modules prove what is found.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ ELEMENTS_TRIED = 5  # elements of an infinite field
 
 
 def by_places(problem: Problem) -> Decision:
-    """Refute at one point of the given unknowns, or prove at all points over a finite field."""
+    """Refute at one point of the given unknowns, or over a finite field prove at all points."""
     field, free = problem.ring, problem.statement.given
     width = sum(sort.width for _, sort in free)
     finite = field.order is not None and field.order**width <= MAX_PLACES
@@ -100,7 +100,7 @@ def refuted_at(problem: Problem, place: Mapping[str, Sequence[str]]) -> Decision
 
 
 def at_zero(problem: Problem) -> tuple[str, ...] | None:
-    """Return witnesses for given values 0 (letters −1), which may work everywhere."""
+    """Return witnesses for given values 0 (letters −1); they may work for all values."""
     setting = problem.setting
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
     zeros = {name: Number(0) for name, _ in problem.statement.given}
@@ -146,9 +146,7 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
 
 
 def _meant(problem: Problem) -> Callable[[Assignment], bool]:
-    """Return a function that tests whether the algebra exists at a point and the hypotheses are true
-    there.
-    """
+    """Return a function that tests whether at a point the algebra exists and the hypotheses hold."""
     names = tuple(name for name, _ in problem.statement.given)
     meant = problem.for_formula(conjunction(problem.statement.hypotheses), names)
     return Searcher(meant, RingScalars(problem.ring), True).test
@@ -178,7 +176,7 @@ MAX_TERMS = 2_000
 
 
 def unsolvable_at(problem: Problem) -> Callable[[Assignment], bool] | None:
-    """Return the reason why there is no witness at a point; None if the statement is not linear."""
+    """Return the reason why there is no witness at a point, or None if the statement is not linear."""
     field, statement = problem.field, problem.statement
     if field is None or not field.is_field:
         return None

@@ -1,13 +1,12 @@
-"""Find terms for an unknown that exists by solving an equation for it.
+"""Find terms for an existential unknown by solving an equation for it.
 
-Where it stands once, ``r*u + s == i`` gives ``u = inv(r)*(i - s)``. Where it stands more often, as in
-a·u·b + u·d = r, conjugates take a away if b and d commute (Sylvester's equation has b = 1):
+If u occurs once, ``r*u + s == i`` gives ``u = inv(r)*(i - s)``. If u occurs twice, as in a·u·b + u·d = r,
+multiplying by conjugates eliminates a, provided that b and d commute (Sylvester's equation has b = 1):
 
     ā·r·b + r·d = u·w  for  w = N(a)·b² + tr(a)·b·d + d²,
 
-so that u = (ā·r·b + r·d)·w⁻¹, and N(w) is the determinant of the linear map that takes u to r: for
-a·u − u·d, the resultant of the characteristic polynomials of a and d. Whether w has an inverse is for a proof
-to tell.
+so that u = (ā·r·b + r·d)·w⁻¹. N(w) is the determinant of the linear map u ↦ r; for a·u − u·d, it is the
+resultant of the characteristic polynomials of a and d. Whether w is invertible is proved elsewhere.
 """
 
 from collections.abc import Iterator, Mapping
@@ -22,7 +21,7 @@ from hfield.syntax import Binary, Call, Compare, Logic, Name, Negate, Node, Numb
 
 
 def isolated(statement: Statement) -> dict[str, list[str]]:
-    """Return for each name that ``exists`` binds the terms from equations in which it occurs once."""
+    """Return, for each name bound by ``exists``, terms from equations in which it occurs once."""
     out: dict[str, list[str]] = {name: [] for name in statement.exists}
     for equation in _equations(statement.conclusion):
         for name in statement.exists:
@@ -38,7 +37,7 @@ def isolated(statement: Statement) -> dict[str, list[str]]:
 
 
 def isolated_alone(statement: Statement) -> Iterator[dict[str, str]]:
-    """Yield terms for all names: one solves an equation in which the others are 0."""
+    """Yield terms for all names: one name solves an equation, the others are 0."""
     if len(statement.exists) < 2:
         return
     for name in statement.exists:
@@ -73,7 +72,7 @@ def _solutions(equation: Compare, name: str, sorts: Mapping[str, Sort]) -> Itera
 
 
 def _solve(side: Node, value: Node, name: str, sorts: Mapping[str, Sort]) -> Node | None:
-    """Return what the name is equal to when ``side == value``."""
+    """Return the value that the equation ``side == value`` gives for the name."""
     while not isinstance(side, Name):
         match side:
             case Negate(x):
@@ -198,7 +197,7 @@ def _scaled(
 
 
 def _joined(parts: list[TwoSidedMap], sorts: Sorts) -> list[TwoSidedMap]:
-    """Return parts with the same sum, with parts of a common side combined."""
+    """Return parts with the same sum, after combining parts with a common side."""
     lefts: dict[str, TwoSidedMap] = {}  # by what stands on the right
     for part in parts:
         key = to_text(part.right)

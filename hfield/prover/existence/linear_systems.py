@@ -1,9 +1,9 @@
 """Prove existence by linear algebra, for all given values.
 
-The equations are a linear system whose coefficients are polynomials in the unknowns that are given.
-Gauss and Jordan's elimination runs over it, with a case distinction at each pivot that may be 0. Each way
-through ends in a case: a solution written as terms in what is given, and where it is one. Where all
-equations are linear the cases are exact: something exists where one of them holds, and nowhere else.
+The equations are a linear system whose coefficients are polynomials in the given unknowns. Gauss–Jordan
+elimination distinguishes two cases at each pivot that may be 0. Each branch ends in a case: a solution as
+terms in the given unknowns, with the condition under which it is a solution. If all equations are linear the
+cases are exact: a witness exists if and only if one of the conditions holds.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ MAX_BRANCHES = 8
 
 @dataclass(frozen=True)
 class Case:
-    """A case: where ``when`` holds, the ``terms`` are witnesses."""
+    """A case: if ``when`` holds, the ``terms`` are witnesses."""
 
     when: str
     terms: tuple[tuple[str, str], ...]
 
 
 def linear_cases(problem: Problem) -> tuple[list[Case], bool]:
-    """Return the cases in which the existential unknowns have a formula, and whether these are all cases.
+    """Return the cases with a formula for the existential unknowns, and whether these are all cases.
 
     Raises :class:`TooLargeError`.
     """
@@ -60,7 +60,7 @@ def linear_cases(problem: Problem) -> tuple[list[Case], bool]:
 
 
 def _equations(formula: Formula) -> list[flint.fmpz_mpoly]:
-    """Return the polynomials that are 0 where the formula is true, as far as that shows."""
+    """Return polynomials that are 0 if the formula is true, as far as its form shows."""
     if formula.literal is not None:
         return list(formula.literal.polynomials) if formula.literal.zero else []
     return [f for part in formula.parts for f in _equations(part)] if formula.op == "and" else []
@@ -87,7 +87,7 @@ class System:
         self.known = [f for h in statement.hypotheses for f in _equations(world.truth(h))]
 
     def rows(self, branch: Sequence[Literal]) -> list[Row] | None:
-        """Return the equations of a conjunction of literals, None if one is not linear."""
+        """Return the equations of a conjunction of literals, or None if one is not linear."""
         found = [self.row(f) for literal in branch if literal.zero for f in literal.polynomials]
         rows = [row for row in found if row is not None]
         return rows if len(rows) == len(found) else None
@@ -102,7 +102,7 @@ class System:
                     yield case
 
     def row(self, f: flint.fmpz_mpoly) -> Row | None:
-        """Return the equation f = 0 as a row, None if it is not linear in the unknowns."""
+        """Return the equation f = 0 as a row, or None if it is not linear in the sought unknowns."""
         row = [self.context.constant(0)] * (len(self.bound) + 1)
         for m, c in collected(f, self.bound).items():
             if sum(m) > 1:
@@ -141,7 +141,7 @@ class System:
         return Case(" and ".join(dict.fromkeys(when)) or "0 == 0", tuple(self.terms(values, below)))
 
     def is_nonzero_with(self, f: flint.fmpz_mpoly, below: flint.fmpz_mpoly) -> bool:
-        """Return whether f is known to be nonzero where ``below`` is nonzero."""
+        """Return whether f is known to be nonzero if ``below`` is nonzero."""
         return all(below % g == 0 for g in self.of.factors(f))
 
     def put(
@@ -197,12 +197,12 @@ class System:
 
 
 Row: TypeAlias = (
-    "tuple[flint.fmpz_mpoly, ...]"  # the coefficients of what is sought, and last the constant
+    "tuple[flint.fmpz_mpoly, ...]"  # the coefficients of the unknowns, followed by the constant
 )
 
 
 class FieldCoefficients:
-    """The polynomials over ``context``, over the fields of characteristic p, or over all (p is None)."""
+    """Polynomials over ``context``, over the fields of characteristic p, or over all fields if p is None."""
 
     def __init__(self, context: flint.fmpz_mpoly_ctx, p: int | None) -> None:
         self.context, self.p = context, p
@@ -223,7 +223,7 @@ class FieldCoefficients:
         return self.p == 0 or n % self.p != 0
 
     def primitive(self, row: Row, nonzero: Sequence[flint.fmpz_mpoly] = ()) -> Row:
-        """Divide a row by common factors that are not 0."""
+        """Divide a row by common factors that are known to be nonzero."""
         common = self.context.constant(0)
         for f in row:
             common = common.gcd(f)
@@ -244,7 +244,7 @@ class FieldCoefficients:
         return out if self.is_nonzero_number(n) else [self.context.constant(n), *out]
 
     def radical(self, f: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-        """Return a polynomial with the same zeros that is squarefree."""
+        """Return a squarefree polynomial with the same zeros."""
         out = self.one
         for g in self.factors(f):
             out = out * g
@@ -257,7 +257,7 @@ MAX_WAYS = 300
 
 @dataclass(frozen=True)
 class EliminationBranch:
-    """A branch of the elimination: ``nonzero`` factors are not 0, ``zero`` ones are."""
+    """A branch of the elimination: the factors ``nonzero`` are not 0, the factors ``zero`` are 0."""
 
     rows: tuple[Row, ...]
     pivots: tuple[tuple[int, int], ...] = ()  # row, column
@@ -314,7 +314,7 @@ class Elimination:
                 )
 
     def pivot(self, way: EliminationBranch) -> tuple[int, int] | None:
-        """Return the place of the simplest coefficient that may be a pivot."""
+        """Return the position of the simplest coefficient that may be a pivot."""
         best, place = None, None
         rows, columns = {r for r, _ in way.pivots}, {c for _, c in way.pivots}
         for r, row in enumerate(way.rows):
@@ -346,7 +346,7 @@ class Elimination:
         return tuple(out)
 
     def without(self, rows: Sequence[Row], f: flint.fmpz_mpoly) -> tuple[Row, ...]:
-        """Use f = 0 to eliminate a variable, if it expresses one by others."""
+        """Use f = 0 to eliminate a variable, if f = 0 expresses a variable by others."""
         gens = self.of.context.gens()
         for n, v in enumerate(gens):
             if f.degrees()[n] != 1:
@@ -363,7 +363,7 @@ class Elimination:
     ) -> Iterator[tuple[list[flint.fmpz_mpoly], flint.fmpz_mpoly]]:
         """Yield solutions as numerators with a common denominator.
 
-        What no pivot determines is 0; where something must not be 0, other small numbers are tried.
+        Unknowns that no pivot determines are 0; if something must be nonzero, other small numbers are tried.
         """
         free = [c for c in range(self.width) if c not in {c for _, c in way.pivots}]
         choices: list[dict[int, int]] = [{}]

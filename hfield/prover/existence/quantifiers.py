@@ -1,6 +1,6 @@
 """Choose the method for an existential statement, or for contradictory hypotheses.
 
-Existence is proved by terms, once for all or case by case, and refuted where no case applies.
+Existence is proved by terms, for all values or case by case, and refuted by values to which no case applies.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -41,7 +41,8 @@ def vacuous(problem: Problem) -> Decision | None:
         return None
     evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)
     steps = (*decision.steps, say("never-all"))
-    # A conclusion with constants of the field speaks of no other, whatever its hypotheses do.
+    # A conclusion with constants of the field is about this field only, whatever its hypotheses
+    # are.
     scope = FIELD if problem.statement.constants else decision.scope
     return replace(decision, verdict=VACUOUS, scope=scope, steps=steps, evidence=evidence)
 
@@ -61,7 +62,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _over_all_fields(problem: Problem) -> Decision:
-    """Decide over all fields: by terms that work everywhere, or by a field without a witness."""
+    """Decide over all fields: by terms that always work, or by a field without a witness."""
     attempts = Attempts()
     decision, place = _by_algebra(problem, attempts)
     if decision is None and place is None:
@@ -84,7 +85,7 @@ Place = Mapping[str, Sequence[str]]
 
 
 def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision | None, str]]:
-    """Decide over one field after the other, first at a point found by linear algebra."""
+    """Decide over one field after another, first at a point found by linear algebra."""
     if place is not None:
         name = place["F"][0]
         yield Attempts().answer(refuted_at, problem.over(ring(name)), place), name
@@ -95,7 +96,7 @@ def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision
 
 
 def _by_algebra(problem: Problem, attempts: Attempts) -> tuple[Decision | None, Place | None]:
-    """Prove by terms and cases, or return a point where linear algebra shows that there is no witness."""
+    """Prove by terms and cases, or return a point at which linear algebra shows that there is no witness."""
     terms: Iterable[Method] = (
         lambda: by_isolating(problem),
         lambda: by_terms(problem.share(1 / 3)),
@@ -126,7 +127,7 @@ def _at_places(problem: Problem, place: Place | None) -> Iterator[Method]:
 
 
 def _by_what_serves_at_zero(problem: Problem) -> Decision | None:
-    """Prove by the witnesses for given values 0."""
+    """Prove with the witnesses for given values 0."""
     found = at_zero(problem)
     return None if found is None else by_terms(problem, [found])
 
@@ -146,7 +147,7 @@ def by_isolating(problem: Problem) -> Decision | None:
 
 
 def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
-    """Decide by linear algebra: a proof, or a place where no case applies."""
+    """Decide by linear algebra: by a proof, or by a point to which no case applies."""
     try:
         cases, exact = linear_cases(problem.share(1 / 3))
     except TooLargeError:
@@ -154,7 +155,7 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
     cases = [*_isolated_cases(problem.statement), *cases]
     if not cases and not exact:
         return None, None
-    names = problem.statement.exists  # which may be in another order than where they are used
+    names = problem.statement.exists  # their order may differ from that in which they are used
     found = by_terms(problem, [tuple(map(dict(case.terms).__getitem__, names)) for case in cases])
     if found is not None:
         return found, None
@@ -169,7 +170,7 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
 
 
 def by_zero_or_not(problem: Problem) -> Decision | None:
-    """Prove by two cases: a given value is 0, or not."""
+    """Prove by two cases: a given value is 0 or not 0."""
     statement = problem.statement
     for name, _ in statement.given[:MAX_ZERO]:
         found: list[tuple[Case, Decision]] = []
@@ -203,10 +204,10 @@ def _isolated_cases(statement: Statement) -> Iterator[Case]:
 
 
 def _covered(problem: Problem, cases: list[Case]) -> tuple[list[Case], Decision]:
-    """Return cases with the decision that one of them always applies.
+    """Return several cases, with the decision that one of them always applies.
 
-    Where a place refutes that and another case applies there, it joins them; where none does, that is
-    a place where nothing exists.
+    If a point refutes this and another case applies there, that case is added; if no case applies there,
+    nothing exists at that point.
     """
     chosen = _few(problem, cases)
     while True:
@@ -227,20 +228,20 @@ def _covered(problem: Problem, cases: list[Case]) -> tuple[list[Case], Decision]
 
 
 def _equations(case: Case) -> int:
-    """Return how many equations a case needs: the fewer, the more it covers."""
+    """Return the number of equations that a case needs; fewer equations mean a more general case."""
     return case.when.count("==")
 
 
 def _few(problem: Problem, cases: list[Case]) -> list[Case]:
-    """Return some of the cases, one of which applies at every place that was looked at.
+    """Return some of the cases such that one of them applies at every point that was tested.
 
-    The fewer there are, the easier it is to prove that they cover everything. Where none applies all are
-    returned: then that is a place where nothing exists.
+    Fewer cases make it easier to prove that they cover everything. If at some point no case applies, all
+    cases are returned; nothing exists at that point.
     """
     field = problem.field
     applies = {case: _applies(problem, case) for case in cases}
     worlds: list[PrimeScalars | RingScalars] = []
-    if not any(case.statement.constants for case in applies.values()):  # modulo p they mean nothing
+    if not any(case.statement.constants for case in applies.values()):  # undefined modulo p
         worlds += map(PrimeScalars, (0, 2, 3) if field is None else (field.characteristic,))
     if field is not None:
         worlds.append(RingScalars(field))
@@ -266,12 +267,12 @@ def _few(problem: Problem, cases: list[Case]) -> list[Case]:
 
 
 def _applies(problem: Problem, case: Case) -> Problem:
-    """Return the problem whether a case applies."""
+    """Return the problem whether a case always applies."""
     return _given(problem, parse(case.when))
 
 
 def _covering(problem: Problem, cases: list[Case]) -> Problem:
-    """Return the problem whether one of the cases always applies where the hypotheses hold."""
+    """Return the problem whether one of the cases always applies under the hypotheses."""
     node = parse(cases[0].when) if cases else FALSE
     for case in cases[1:]:
         node = Logic("or", node, parse(case.when))
@@ -285,7 +286,7 @@ def _given(problem: Problem, node: Node) -> Problem:
 
 
 def _proof(problem: Problem, case: Case) -> Decision:
-    """Prove that the terms of a case serve where it applies."""
+    """Prove that the terms of a case are witnesses where the case applies."""
     terms = {name: parse(text) for name, text in case.terms}
     statement = problem.statement
     inside = implication(statement.hypotheses, put_in(statement.conclusion, terms))
@@ -295,7 +296,7 @@ def _proof(problem: Problem, case: Case) -> Decision:
 def _put_together(
     problem: Problem, cases: list[Case], cover: Decision, proofs: list[Decision]
 ) -> Decision | None:
-    """Return the proof by cases, None where a case is not proved."""
+    """Return the proof by cases, or None if some case is not proved."""
     if any(proof.verdict != PROVED for proof in proofs):
         return None
     cases_data = [

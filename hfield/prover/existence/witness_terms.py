@@ -1,4 +1,4 @@
-"""Prove that something exists by a term in the given values."""
+"""Prove existence by terms in the given values."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -55,10 +55,12 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
 
 
 def put_in(conclusion: Node, terms: Mapping[str, Node]) -> Node:
-    """Return a conclusion with terms for the existential unknowns, and that these terms are defined.
+    """Return a conclusion with terms for the existential unknowns, and the statement that these terms are
+    defined.
 
-    Comparisons with a term that is not defined are false. So where nothing but comparisons, "and" and "or" is
-    said, it is true of any value instead; anything else may be true of no value at all.
+    Comparisons with an undefined term are false. So if a conclusion consists only of comparisons, "and" and
+    "or", and is true where a term is undefined, it stays true when any value replaces the term. For other
+    conclusions definedness must be proved.
     """
     inside = substitute(conclusion, terms)
     if not _is_monotone(conclusion):
@@ -75,7 +77,7 @@ def _is_monotone(node: Node) -> bool:
 
 
 def combined(kinds: Sequence[Sequence[str]], most: int) -> Iterator[tuple[str, ...]]:
-    """Yield choices of one term for each name, at most ``most``."""
+    """Yield choices of one term for each name, at most ``most`` choices."""
     return islice(product(*kinds), most)
 
 

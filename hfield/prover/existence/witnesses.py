@@ -1,6 +1,7 @@
 """Decide existence without given values: find a witness, or prove that there is none.
 
-In ℝ, ℂ and H(ℝ) roots exist by a theorem, for all values given, though no term in these names them.
+In ℝ, ℂ and H(ℝ) roots exist by a theorem for all given values, although no term in these values describes
+them.
 """
 
 from __future__ import annotations
@@ -135,12 +136,12 @@ MAX_COORDINATE = 2**40
 
 
 def by_roots(problem: Problem) -> Decision | None:
-    """Prove by a theorem that there is a root, for every value given."""
+    """Prove by a theorem that a root exists for all given values."""
     return _by_real_or_complex_root(problem) or _by_quaternion_root(problem)
 
 
 def _by_real_or_complex_root(problem: Problem) -> Decision | None:
-    """Prove ``exists s: f(s) == g(s)`` over RR and CC where a root exists for every value given."""
+    """Prove ``exists s: f(s) == g(s)`` over RR and CC if a root exists for all given values."""
     field, statement = problem.field, problem.statement
     node = statement.conclusion
     if field is None or field.closure is None or len(statement.exists) != 1:
@@ -217,7 +218,7 @@ def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[flint.fmpz_mpoly]:
 
 
 def _sign_change(c: list[int]) -> tuple[int, int] | None:
-    """Return two integers at which Σ cₙ·xⁿ has values of different signs, or one of them 0."""
+    """Return two integers at which Σ cₙ·xⁿ has opposite signs, or one of the values is 0."""
     places = [0]
     while places[-1] < MAX_COORDINATE:
         places.append(2 * places[-1] or 1)
@@ -236,7 +237,9 @@ MAX_QUATERNION_DEGREE = 1_000
 
 @dataclass(frozen=True)
 class LeadingTerm:
-    """The leading part of a polynomial: a bound of its degree, and whether it is one nonzero monomial."""
+    """The leading part of a polynomial: a bound for the degree, and whether it is a single nonzero
+    monomial.
+    """
 
     degree: int
     single: bool
@@ -251,7 +254,7 @@ class LeadingTerm:
 
 
 def _by_quaternion_root(problem: Problem) -> Decision | None:
-    """Prove ``exists q: f(q) == g(q)`` in H(ℝ), where a single monomial has the highest degree."""
+    """Prove ``exists q: f(q) == g(q)`` in H(ℝ), if a single monomial has the highest degree."""
     field, statement = problem.field, problem.statement
     node = statement.conclusion
     if field is None or field.closure != "real closed" or not problem.setting.is_hamilton:
@@ -282,7 +285,7 @@ def _by_quaternion_root(problem: Problem) -> Decision | None:
 
 
 def _top(node: Node, name: str) -> LeadingTerm | None:
-    """Return what a term has at the top as a polynomial in the name, None where it is none."""
+    """Return the leading part of a term as a polynomial in the name, or None if it is not a polynomial."""
     if not occurrences(node, name):
         return LeadingTerm(0, _is_not_zero(node))
     match node:
@@ -302,7 +305,7 @@ def _top(node: Node, name: str) -> LeadingTerm | None:
 
 
 def _is_not_zero(node: Node) -> bool:
-    """Return whether a term is certainly not 0: a product of numbers and of basis vectors."""
+    """Return whether a term is certainly not 0 because it is a product of numbers and basis vectors."""
     match node:
         case Number(value):
             return value != 0

@@ -1,1 +1,1 @@
-"""The methods that prove a statement without quantifiers, over one ring and over all fields."""
+"""Methods that prove quantifier-free statements, over one ring and over all fields."""

@@ -1,4 +1,4 @@
-"""Decide a statement without quantifiers over all fields at once."""
+"""Decide a quantifier-free statement over all fields at once."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -39,7 +39,7 @@ CASES_TRIED = 150
 
 
 def decide(problem: Problem) -> Decision:
-    """Decide over all fields; a counterexample over any of them refutes."""
+    """Decide over all fields; a counterexample over any of them refutes the statement."""
     attempts = Attempts()
     x = attempts.answer(expand, problem)
     if x is not None:
@@ -58,7 +58,9 @@ def decide(problem: Problem) -> Decision:
 
 
 def _with_exceptions(problem: Problem, found: Decision) -> Decision:
-    """Add to a refutation in characteristic p where the statement holds, if a proof fails only there."""
+    """Add to a refutation in characteristic p a step that says in which characteristics the
+    statement holds.
+    """
     p = ring((found.witness or {})["F"][0]).characteristic
     try:
         general = prove_clauses(problem.within(1.0), 0) if p else None
@@ -85,7 +87,7 @@ def _quickly(problem: Problem) -> bool:
 
 
 def _proof(problem: Problem) -> Decision | None:
-    """Prove in characteristic 0, then in each characteristic that was divided by."""
+    """Prove in characteristic 0, then in each characteristic by which the proof divides."""
     general = prove_clauses(problem.share(1 / 2), 0)
     primes = prime_factors(abs(general.denominator)) if general else None
     if general is None or primes is None:
@@ -101,7 +103,7 @@ def _proof(problem: Problem) -> Decision | None:
 
 
 def counterexample(problem: Problem) -> Decision | None:
-    """Search for a field over which the statement is refuted; the witness names it as F."""
+    """Search for a field over which the statement is refuted; the witness gives it as F."""
     for there in fields_tried(problem):
         if problem.is_late:
             return None
@@ -112,9 +114,9 @@ def counterexample(problem: Problem) -> Decision | None:
 
 
 def fields_tried(problem: Problem) -> Iterator[Problem]:
-    """Yield the problem over each field in which a counterexample is searched.
+    """Yield the problem over each field in which counterexamples are searched for.
 
-    They have the structure constants, and no generator of theirs is an unknown of the statement.
+    These fields contain the structure constants, and none of their generators is an unknown of the statement.
     """
     statement = problem.statement
     for name in FIELDS_TRIED:

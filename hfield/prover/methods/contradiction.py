@@ -1,8 +1,9 @@
-"""Show that some polynomials cannot all be 0 while others are not.
+"""Show that certain polynomials cannot all be 0 while others are nonzero.
 
-Over every field of a characteristic: 1 is in the ideal of the zeros and of ``1 − T·g`` for every g
-that must not be 0 (Rabinowitsch's trick). Over a field with rules (see ``field_rules``)
-a form that lies in the ideal puts its arguments there too, and a product splits into cases.
+Over all fields of a characteristic, this is proved by showing that 1 lies in the ideal of the zeros and of
+``1 − T·g`` for every g that must be nonzero (Rabinowitsch's trick). Over a field with rules (see
+``field_rules``), if an anisotropic form lies in the ideal, its arguments are added to the ideal; and products
+are split into cases.
 """
 
 from __future__ import annotations
@@ -45,8 +46,8 @@ Step = Mapping[str, object]
 class Conditions:
     """``zeros`` are 0, ``nonzero`` are not; both over one context with ``variables`` as texts.
 
-    The first ``unknowns`` variables are unknowns, the others constants of ``field``.
-    ``quaternions`` are what the norm rule is tried on: four polynomials and their norm.
+    The first ``unknowns`` variables are unknowns, the others constants of ``field``. ``quaternions`` are
+    candidates for the norm rule: four polynomials and their norm.
     """
 
     variables: tuple[str, ...]
@@ -62,7 +63,7 @@ class Conditions:
 class Refutation:
     """The steps of a proof that the conditions have no solution.
 
-    ``denominators`` were divided by, ``rules`` were used.
+    The proof divides by ``denominators`` and uses ``rules``.
     """
 
     steps: tuple[Step, ...]
@@ -71,9 +72,9 @@ class Refutation:
 
 
 def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refutation | None:
-    """Show that the conditions have no solution over the fields of its characteristic with the rules.
+    """Show that the conditions have no solution over the fields of their characteristic, using the rules.
 
-    Returns None when no proof was found; that says nothing.
+    Returns None if no proof was found, which proves nothing.
     """
     if _is_large(conditions):
         return None
@@ -92,7 +93,7 @@ def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refut
 def member(
     conditions: Conditions, targets: Sequence[flint.fmpz_mpoly], clock: Clock
 ) -> list[Cofactors] | None:
-    """Return cofactors that put every target into the ideal of the zeros, or None."""
+    """Return cofactors that express every target in the ideal of the zeros, or None."""
     if _is_large(conditions):
         return None
     ideal = PolynomialIdeal(
@@ -114,7 +115,9 @@ def member(
 
 
 def _primes(conditions: Conditions) -> tuple[int | None, ...]:
-    """Return the primes to compute modulo; in characteristic 0 they exceed the coefficients by far."""
+    """Return the primes modulo which to compute; in characteristic 0 they are much larger than the
+    coefficients.
+    """
     if conditions.characteristic:
         return (None,)
     polynomials = (*conditions.zeros, *conditions.nonzero)
@@ -148,7 +151,7 @@ class _ContradictionSearch:
         return ideal
 
     def result(self) -> Refutation:
-        """Return what was found."""
+        """Return the refutation that was found."""
         return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used))
 
     def run(self, ideal: PolynomialIdeal, depth: int) -> bool:
@@ -191,7 +194,7 @@ class _ContradictionSearch:
         terms: list[flint.fmpz_mpoly],
         step: Step,
     ) -> bool:
-        """Add the arguments of a form in the ideal to the ideal, unless all are there."""
+        """Add the arguments of a form in the ideal to the ideal, unless they are all in it."""
         found = ideal.cofactors(form)
         if found is None or all(ideal.cofactors(t) is not None for t in terms):
             return False
@@ -298,7 +301,7 @@ class _ContradictionSearch:
             if len(factors) < 2 or len(factors) > 4:
                 continue
             if any(ideal.cofactors(g) is not None for g in factors):
-                continue  # one of them is 0 already
+                continue  # one factor is 0 already
             product = ideal.context.constant(1)
             for g, n in powers:
                 product *= g**n

@@ -32,17 +32,18 @@ from hfield.syntax import Compare, Logic, Node, Not
 
 
 def expanding(x: Expanded) -> Step:
-    """Say how both sides of an identity are compared."""
+    """Describe how both sides of an identity are compared."""
     if not x.unknowns:
         return say("compute")
     return say("expand-one" if x.unknowns == 1 else "expand", n=x.unknowns)
 
 
 def scope_of_identity(statement: Statement, x: Expanded) -> Scope | None:
-    """Return where all clauses are polynomial identities, over every commutative ring there is.
+    """Return the scope in which all clauses are polynomial identities, over all commutative rings if
+    possible.
 
-    What divides, or compares with ``!=``, is claimed of fields alone: over F₂ × F₂ an element that is
-    not 0 need not divide.
+    Clauses with division or ``!=`` are claimed for fields only: over F₂ × F₂ a nonzero element need not be
+    invertible.
     """
     fields_only = statement.divides or statement.compares_unequal
     if not x.clauses and not x.has_constants:
@@ -68,14 +69,14 @@ def _algebra_may_exist(x: Expanded, p: int) -> bool:
 
 
 def is_conjunction_of_identities(statement: Statement) -> bool:
-    """Return whether the statement is made of equations without division by "and" alone."""
+    """Return whether the statement consists of equations without division, joined by "and"."""
     return not (statement.hypotheses or statement.exists or statement.divides) and all(
         isinstance(n, Compare) and n.op == "==" for n in conjuncts(statement.conclusion)
     )
 
 
 def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None) -> Decision:
-    """Return the decision "proved" for what holds coefficient by coefficient."""
+    """Return the decision "proved" for a statement that holds coefficient by coefficient."""
     p = field.characteristic
     steps = [expanding(x)]
     general = scope in (COMMUTATIVE_RINGS, FIELDS)
@@ -95,9 +96,10 @@ def identity(statement: Statement, x: Expanded, field: Ring, scope: Scope | None
 
 
 def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
-    """Return whether the statement (or its negation) is an identity: equations, joined by "and".
+    """Return whether the statement (or its negation) is an identity: equations joined by "and".
 
-    Joined by "or" as well where a product of polynomials is 0 everywhere only if one of them is.
+    Equations joined by "or" count too, if a product of polynomials vanishes everywhere only if one of them
+    does.
     """
     match node:
         case Compare(op):
@@ -114,17 +116,17 @@ def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
 def refuted_at(
     problem: Problem, found: Assignment | None, x: Expanded | None = None
 ) -> Decision | None:
-    """Return the refutation by the values found, None where none were."""
+    """Return the refutation by the values found, or None if there are none."""
     return None if found is None else refuted(problem, found, x)
 
 
 def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> Decision:
     """Return the refutation by the values found.
 
-    The method is named by what is refuted, however the values were found: an identity, that equations
-    have no solution (a witness is one), or another statement. A conjunction of identities has a scope
-    even so: the characteristics in which it does hold. Of any other statement that holds over the fields
-    of some characteristics a step says so in words.
+    The method is named after what is refuted, however the values were found: an identity, the unsolvability
+    of equations (a witness is a solution), or another statement. A conjunction of identities has a scope even
+    if it is refuted: the characteristics in which it holds. For other statements that hold over the fields of
+    some characteristics, a step says so in words.
     """
     field = problem.ring
     witness = witness_texts(field, found)
@@ -160,7 +162,7 @@ def _method(problem: Problem) -> str:
 
 
 def implied(proof: Proof, problem: Problem) -> Decision:
-    """Return the decision "proved" by a proof of all clauses."""
+    """Return the decision "proved", given a proof of all clauses."""
     setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]

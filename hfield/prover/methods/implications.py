@@ -65,7 +65,7 @@ class Item:
 
     @property
     def by_contradiction(self) -> tuple[str, ...]:
-        """The polynomials that are 0 in a proof by contradiction; () in a direct one."""
+        """The polynomials that are 0 in a proof by contradiction; () for a direct proof."""
         return () if self.direct else ("0", *self.evidence["zero"])
 
 
@@ -79,7 +79,7 @@ class Proof:
 
     @property
     def denominator(self) -> int:
-        """The product of all numbers that were divided by."""
+        """The product of all numbers by which the proof divides."""
         return math.prod(d for item in self.items for d in set(item.denominators))
 
     @property
@@ -88,7 +88,7 @@ class Proof:
         return all(item.direct for item in self.items) and abs(self.denominator) == 1
 
     def scope(self, statement: Statement) -> Scope:
-        """Return where the proof is valid."""
+        """Return the scope in which the proof is valid."""
         if self.rules or self.has_constants:
             return FIELD
         if self.characteristic:  # by contradiction it is shown over fields, not over F₂[ε]
@@ -110,7 +110,7 @@ class Proof:
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """Return the proof as lines for people; cases that go alike share a line."""
+        """Return the proof as text lines; cases with the same proof share a line."""
         lines: dict[str, None] = {}
         for zero, items in groupby(self.items, key=lambda item: item.by_contradiction):
             alike = list(items)
@@ -123,7 +123,9 @@ class Proof:
 
 
 def _zeros(zeros: Sequence[str]) -> Iterator[str]:
-    """Write what is 0 by the hypotheses and by denying a conclusion that is no equation, with its names."""
+    """Write the polynomials that are 0 by the hypotheses and by the negation of a conclusion that is not an
+    equation, with names.
+    """
     if zeros:
         named = ", ".join(f"h{n} = {shorten(text, 120)}" for n, text in enumerate(zeros, 1))
         yield say("suppose", h=named) if len(zeros) == 1 else say("suppose-all", list=named)
@@ -153,10 +155,10 @@ def _excluded(items: Sequence[Item]) -> str:
 
 
 def prove_clauses(problem: Problem, characteristic: int) -> Proof | None:
-    """Try to prove all clauses over the fields of a characteristic, with the rules of the setting.
+    """Try to prove all clauses over the fields of a characteristic, using the rules of the setting.
 
-    The general proof, which uses no rules and no characteristic, is tried first, since it serves
-    every field. None says nothing.
+    The general proof, without rules and in all characteristics, is tried first, since it works over every
+    field. If the result is None, nothing is known.
     """
     x = expand(problem)
     if not x.has_constants:
@@ -182,7 +184,7 @@ def _proof(
     named: Ring | None,
     kinds: tuple[tuple[str, float, bool], ...],
 ) -> Proof | None:
-    """Prove with rules of given kinds; fields with the same rules share the proof, unless named."""
+    """Prove with rules of given kinds; fields with the same rules share the proof, unless ``named``."""
     x, own = expand(problem), rules(problem.setting) if kinds else ()
     field = problem.field if kinds else named
     attempt = _Attempt(problem, x, characteristic, field, own)
@@ -196,7 +198,7 @@ def _proof(
 
 
 class _Attempt:
-    """Clauses proved over the fields of a characteristic, or over one field that is named."""
+    """Clauses proved over the fields of a characteristic, or over one named field."""
 
     def __init__(
         self,
@@ -219,7 +221,7 @@ class _Attempt:
         return bool(p == 0 or (n and int(p.content()) % n == 0))
 
     def is_nonzero_number(self, p: flint.fmpz_mpoly) -> bool:
-        """Return whether a polynomial is a number that is known not to be 0 in them."""
+        """Return whether a polynomial is a constant known to be nonzero over the fields of the problem."""
         if self.field is not None:
             return known(is_nonzero_constant, p, self.x, self.field) is True
         return bool(
@@ -245,7 +247,7 @@ class _Attempt:
         )
 
     def clause(self, clause: PolynomialClause) -> list[Item] | None:
-        """Return items that prove a clause, None if there are none."""
+        """Return items that prove a clause, or None if none are found."""
         if any(all(map(self.is_zero, goal)) for goal in clause.goals):
             return []
         if any(map(self.is_nonzero_number, clause.zeros)):
@@ -255,7 +257,7 @@ class _Attempt:
         return self.by_contradiction(zeros, clause.goals) if found is None else found
 
     def evidence(self, zeros: Sequence[flint.fmpz_mpoly]) -> ItemData:
-        """Return the common evidence of all items with the same zeros."""
+        """Return the evidence shared by all items with the same zeros."""
         return {
             "characteristic": self.characteristic,
             "zero": [self.text(z) for z in zeros],
@@ -277,7 +279,7 @@ class _Attempt:
     def item(
         self, zeros: Sequence[flint.fmpz_mpoly], target: flint.fmpz_mpoly, found: Cofactors
     ) -> Item:
-        """Return the evidence that a polynomial lies in the ideal that ``zeros`` generate."""
+        """Return the evidence that a polynomial lies in the ideal generated by ``zeros``."""
         own: ItemData = {
             "member": self.text(target),
             "cofactors": [self.text(f) for f in found.factors],
@@ -288,9 +290,9 @@ class _Attempt:
     def by_contradiction(
         self, zeros: list[flint.fmpz_mpoly], goals: Sequence[tuple[flint.fmpz_mpoly, ...]]
     ) -> list[Item] | None:
-        """Show for each choice of one polynomial from each goal that one of them must be 0."""
+        """Show, for each choice of one polynomial from each goal, that one of them must be 0."""
         choices = [[g for g in goal if not self.is_zero(g)] for goal in goals]
-        # A goal with a number in it that is not 0 is out of reach: there is nothing to choose from it.
+        # A goal that contains a nonzero constant is unreachable: it offers no choice.
         choices = [goal for goal in choices if not any(g.is_constant() for g in goal)]
         if math.prod(map(len, choices)) > MAX_CHOICES:
             return None

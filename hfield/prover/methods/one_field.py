@@ -1,4 +1,4 @@
-"""Decide a statement without quantifiers over one exact field or finite ring."""
+"""Decide a quantifier-free statement over one exact field or finite ring."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 def decide(problem: Problem) -> Decision:
-    """Decide over the field that is named, by the first method that answers."""
+    """Decide over the named field, by the first method that answers."""
     attempts = Attempts()
     x = attempts.answer(expand, problem)
     if x is None:
@@ -83,7 +83,7 @@ def _by_clauses(
     yield lambda: _implied(problem.within(FIRST_ATTEMPT_SECONDS), problem)
     yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN), x)
     yield lambda: refuted_at(problem, solve_clauses(problem, x, left), x)
-    # all cases of a finite field, where it comes to them, need time as well
+    # if all cases of a finite field have to be tried, they need time as well
     yield lambda: _implied(problem.share(1 / 2) if finite else problem, problem)
     if finite:
         yield lambda: exhaust(problem, x)
@@ -106,12 +106,12 @@ def _refuting_an_identity(
 def _refuted_where_nonzero(
     problem: Problem, x: Expanded, goals: Sequence[flint.fmpz_mpoly]
 ) -> Decision | None:
-    """Refute at a place where none of some polynomials is 0."""
+    """Refute at a point where none of several polynomials is 0."""
     return refuted_at(problem, nonzero_place(problem, x, goals), x)
 
 
 def _implied(limited: Problem, problem: Problem) -> Decision | None:
-    """Prove a problem by proving its clauses in the time of the ``limited`` one."""
+    """Prove a problem by proving its clauses, within the time limit of ``limited``."""
     proof = prove_clauses(limited, problem.ring.characteristic)
     return None if proof is None else implied(proof, problem)
 
@@ -151,9 +151,10 @@ def _tried(problem: Problem) -> tuple[str, ...]:
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
-    """Decide over a finite ring by all cases, or by small points if there are too many.
+    """Decide over a finite ring by trying all cases, or small points if there are too many.
 
-    Clauses tell what matters where "defined" is "not 0": over a field, or where nothing divides.
+    The clauses determine which coordinates matter, if "defined" means "not 0": over a field, or without
+    division.
     """
     divides = problem.statement.divides or problem.setting.divides
     used = None if x is None or (divides and not problem.ring.is_field) else used_variables(x)

@@ -1,8 +1,8 @@
 """Decide statements with moduli and comparisons, about ordered fields.
 
-Proofs are found over RR. They hold over every real closed field, so for all elements of every ordered field.
-A counterexample has values in the field itself. Rational numbers, which every ordered field contains, are
-tried first.
+Proofs are found over RR. They hold over every real closed field, hence for all elements of every ordered
+field. A counterexample has values in the field itself. Rational numbers, which every ordered field contains,
+are tried first.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def decide(problem: Problem, tried: Callable[[Problem], Decision]) -> Decision:
 
 
 def _sums(decision: Decision) -> Iterator[str]:
-    """Yield the sums of squares that the evidence shows to be 0, so that every square is 0."""
+    """Yield the sums of squares that the evidence shows to be 0; then every square is 0."""
     evidence = decision.evidence
     items = evidence.values.get("items") if evidence is not None else None
     for item in items if isinstance(items, list) else ():
@@ -110,7 +110,9 @@ def refuted(problem: Problem, found: Assignment) -> Decision:
 
 
 def _in_field(problem: Problem, decision: Decision) -> Assignment | None:
-    """Return the values of a counterexample over RR as elements of the field; None where they are not."""
+    """Return the values of a counterexample over RR as elements of the field, or None if they do not lie in
+    it.
+    """
     field = problem.field or ring("QQ")
     texts = decision.witness or {}
     own = {name: texts[name] for name, _ in _unknowns(problem) if name in texts}
@@ -124,7 +126,7 @@ def _in_field(problem: Problem, decision: Decision) -> Assignment | None:
 
 
 def _unknowns(problem: Problem) -> tuple[tuple[str, Sort], ...]:
-    """Return the unknowns of the statement as typed."""
+    """Return the unknowns of the statement as typed by the user."""
     read = problem.statement
     return tuple((name, sort) for name, sort in read.unknowns if name not in read.helpers)
 
@@ -157,7 +159,7 @@ def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
 
 
 def _downhill(problem: Problem, floats: OrderedEvaluator[float]) -> Iterator[Assignment]:
-    """Search places by descent for a negative value of an expression that is claimed to be nonnegative."""
+    """Search by descent for a point at which an expression claimed to be nonnegative is negative."""
     assert problem.statement.ordered is not None
     compared = floats.margins(taken_apart(problem.statement.ordered)[1])
     unknowns, rng = _unknowns(problem), Random(1)

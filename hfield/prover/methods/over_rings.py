@@ -1,7 +1,8 @@
 """Decide a statement over a ring that is not a field.
 
-An integral domain lies in its field of fractions, and what holds for all elements of the field holds for
-those of the domain, as long as nothing is divided by: over the field there is more that divides.
+An integral domain is contained in its field of fractions. So a statement without division that holds for all
+elements of the field holds for those of the domain. Statements with division do not carry over, because more
+elements are invertible in the field.
 """
 
 from collections.abc import Iterator
@@ -70,7 +71,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _at_units(problem: Problem) -> Decision | None:
-    """Prove over ℤ, without certificate, at 1 and −1 for letters that the structure constants divide by."""
+    """Prove over ℤ, without certificate, for letters 1 and −1 by which the structure constants divide."""
     statement, letters = problem.statement, sorted(problem.letters)
     below = [x for tree in problem.setting.trees for n in walk(tree) for x in _divisors(n)]
     factors = {name for x in below for name in _factors(x)}
@@ -101,7 +102,7 @@ def _factors(node: Node) -> tuple[str, ...]:
 
 
 def _divisors(node: Node) -> tuple[Node, ...]:
-    """Return what a node divides by."""
+    """Return the divisors in a node."""
     match node:
         case Binary("/", _, right):
             return (right,)
@@ -132,7 +133,7 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
 
 
 def _proved_with_numerals(problem: Problem) -> Decision | None:
-    """Prove over a domain a statement that divides by numerals only: each is a unit, or its comparison is
+    """Prove over a domain a statement whose divisors are numerals; comparisons with a non-unit divisor are
     false.
     """
     field, statement = problem.ring, problem.statement
@@ -160,7 +161,7 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
 
 
 def settled(node: Node, field: Ring) -> Node:
-    """Replace each comparison that divides by a numeral by false, if the numeral is no unit.
+    """Replace each comparison that divides by a numeral by false, if the numeral is not a unit.
 
     Raises UndecidedError for other divisors.
     """
@@ -188,7 +189,9 @@ def _is_unit(node: Node, field: Ring) -> bool:
 
 
 def _modulo(problem: Problem, x: Expanded) -> Decision | None:
-    """Prove that polynomials have no common zero in ℤ or ℤ/m: they have none modulo a number (dividing m)."""
+    """Prove that polynomials have no common zero in ℤ or ℤ/m, because they have none modulo n (a divisor of
+    m).
+    """
     field = problem.ring
     if any(c.goals for c in x.clauses):
         return None
@@ -216,10 +219,10 @@ def _modulo(problem: Problem, x: Expanded) -> Decision | None:
 
 
 def _moduli(x: Expanded, m: int) -> Iterator[int]:
-    """Yield moduli at which a contradiction may appear, over ℤ or (for m > 0) ℤ/m."""
+    """Yield moduli for which a contradiction may occur, over ℤ or (for m > 0) ℤ/m."""
     seen: dict[int, None] = {}
     zeros = [z for clause in x.clauses for z in clause.zeros]
-    for z in zeros:  # modulo what divides all else in it a constant is left
+    for z in zeros:  # modulo the common divisor of all other coefficients, only a constant is left
         n = gcd(m, *(int(c) for exponents, c in z.terms() if any(exponents)))
         if n > 1:
             seen.setdefault(n)

@@ -1,7 +1,7 @@
-"""Prove what follows from relations between letters in every associative algebra.
+"""Prove consequences of relations between letters in every associative algebra.
 
-With ``identity`` the algebra has an identity and ``e`` is it; without, ``e`` is a letter like the
-others, as Theorem 1 of the thesis prints it, and the statement may fail.
+With ``identity`` the algebra has an identity element ``e``. Without it, ``e`` is a letter like the others, as
+in the printed Theorem 1 of the thesis, and the statement may fail.
 
 What refutes is a small associative algebra in which the product of two basis vectors is ± a basis vector or
 0. It is found by backtracking over the products; associativity and the relations are checked as soon as the
@@ -75,11 +75,11 @@ def decide_presentation(
 ) -> Decision:
     """Decide whether the relations imply all the goals in every associative algebra.
 
-    Relations and goals are equations or polynomials in the letters e, i, j, k, as text such as
-    ``i*j*k == -e`` or as a map from words to coefficients (the empty word is the identity).
-    ``field`` restricts to algebras over fields of its characteristic. Proofs are cofactors,
-    refutations an algebra with basis e, i, j, k given by its multiplication table. What follows from
-    relations that give 1 = 0 is vacuous.
+    Relations and goals are equations or polynomials in the letters e, i, j, k: a text such as ``i*j*k ==
+    -e``, or a map from words to coefficients (the empty word is the identity). ``field`` restricts the
+    algebras to those over fields of its characteristic. A proof consists of cofactors; a refutation is an
+    algebra with basis e, i, j, k, given by its multiplication table. If the relations imply 1 = 0, the result
+    is vacuous.
     """
     clock = Clock.of(timeout)
     p = 0 if field is None else ring(field).characteristic
@@ -108,15 +108,16 @@ def decide_presentation(
 
 
 def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: bool = True) -> str:
-    """Write the statement that is decided, as certificates name it."""
+    """Write the decided statement in the notation of certificates."""
     letters = "i, j, k" if identity else "e, i, j, k"
     return f"associative({letters}): {' and '.join(relations)} => {' and '.join(goals)}"
 
 
 def read_relations(relations: str | Iterable[str]) -> tuple[str, ...]:
-    """Return equations of two sides each; ``x == y == z`` says ``x == z`` and ``y == z``.
+    """Return equations with two sides each; ``x == y == z`` means ``x == z`` and ``y == z``.
 
-    A text may join several by ``and``, and there may be several texts. Raises :class:`NotationError`.
+    A text may contain several joined by ``and``, and there may be several texts. Raises
+    :class:`NotationError`.
     """
     texts = [relations] if isinstance(relations, str) else relations
     found: list[str] = []
@@ -131,7 +132,7 @@ def read_relations(relations: str | Iterable[str]) -> tuple[str, ...]:
 
 
 def read_goals(statement: str) -> tuple[str, ...]:
-    """Return the equations that ``and`` joins in a statement. Raises :class:`NotationError`."""
+    """Return the equations joined by ``and`` in a statement. Raises :class:`NotationError`."""
     goals = conjuncts(parse(statement))
     for goal in goals:
         if not (isinstance(goal, Compare) and goal.op == "=="):
@@ -143,13 +144,13 @@ def read_goals(statement: str) -> tuple[str, ...]:
     return tuple(map(to_text, goals))
 
 
-Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by
+Proof = list[tuple[Cofactors, int]]  # for each goal, with the divisor
 
 
 def _prove(
     relations: list[Words], goals: list[Words], letters: str, p: int, clock: Clock
 ) -> Proof | None:
-    """Prove with a cache shared by all fields; proofs that ran out of time are retried."""
+    """Prove, with a cache shared by all fields; proofs that ran out of time are retried."""
     key = (letters, p, *(tuple(f.items()) for f in (*relations, *goals)), len(goals))
     return MEMORY.recall(
         "presentations",
@@ -298,7 +299,7 @@ class _WordReader:
         )
 
     def times(self, f: Words, g: Words, node: Node) -> Words:
-        """Return the product. Raises NotationError when it has too many terms."""
+        """Return the product. Raises NotationError if it has too many terms."""
         if len(f) * len(g) > MAX_TERMS:
             raise NotationError("the relation has too many terms", self.text, node.position)
         out: Words = {}
@@ -316,9 +317,9 @@ def _sum(f: Words, g: Words, factor: int) -> Words:
 
 
 def evaluate(f: Mapping[str, int], letters: str, table: Table, unit: int | None) -> Vector | None:
-    """Return the value of a polynomial at the basis vectors, None if a product is missing.
+    """Return the value of a polynomial at the basis vectors, or None if a product is missing.
 
-    The empty word is the basis vector ``unit``, which then is the identity.
+    The empty word is the basis vector ``unit``, which is then the identity.
     """
     out = [0] * len(letters)
     for word, c in f.items():
@@ -335,7 +336,7 @@ def evaluate(f: Mapping[str, int], letters: str, table: Table, unit: int | None)
 
 
 def is_associative(table: Table, size: int) -> bool:
-    """Return whether (xy)z = x(yz) wherever the needed products are known."""
+    """Return whether (xy)z = x(yz) wherever the required products are known."""
     for x, y, z in product(range(size), repeat=3):
         xy, yz = table.get((x, y)), table.get((y, z))
         if xy is None or yz is None:
@@ -359,11 +360,11 @@ def find_table(
     p: int,
     clock: Clock,
 ) -> tuple[Table, int, Vector] | None:
-    """Return a table in which the relations hold and a goal fails, with that goal and its value.
+    """Return a table that satisfies the relations but not a goal, with that goal and its value.
 
-    Modulo p if p is prime, in which case there are no signs when p = 2; over ℤ for p = 0. ``unit``
-    is the letter of the identity if there has to be one. Tables graded by the Klein four-group, as
-    that of H is, come first; then any others.
+    Coefficients are modulo p if p is prime, and in ℤ for p = 0; for p = 2 there are no signs. ``unit`` is the
+    letter of the identity, if there must be one. Tables graded by the Klein four-group, like that of H, come
+    first, then all others.
     """
     size = len(letters)
     identity = None if unit is None else letters.index(unit)

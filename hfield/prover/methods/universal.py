@@ -1,4 +1,4 @@
-"""Choose the method for a statement without quantifiers."""
+"""Choose the method for a quantifier-free statement."""
 
 from collections import Counter
 
@@ -19,7 +19,7 @@ from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power
 
 
 def decide(problem: Problem) -> Decision:
-    """Decide over all fields, or over the ring that is named."""
+    """Decide over all fields, or over the named ring."""
     field = problem.field
     if problem.statement.weight > MAX_WEIGHT and (field is None or field.is_exact):
         found = by_exponents(problem)
@@ -33,7 +33,7 @@ def decide(problem: Problem) -> Decision:
 
 
 def _over_floats(problem: Problem) -> Decision:
-    """Collect evidence over an inexact ring, where small integers are exact and may refute."""
+    """Collect evidence over an inexact ring; small integers are exact, so they may refute."""
     field, statement = problem.ring, problem.statement
     if not statement.divides and not statement.constants:
         found = prime_search(problem, 0, PLACES_BETWEEN)
@@ -45,7 +45,9 @@ def _over_floats(problem: Problem) -> Decision:
 
 
 def by_exponents(problem: Problem) -> Decision | None:
-    """Prove equations whose sides are the same products: sᵐ·sⁿ = s^(m + n) in every commutative ring."""
+    """Prove equations whose sides are equal products of powers: sᵐ·sⁿ = s^(m + n) in every
+    commutative ring.
+    """
     for equation in conjuncts(problem.statement.conclusion):
         if not isinstance(equation, Compare) or equation.op != "==":
             return None
@@ -59,7 +61,9 @@ def by_exponents(problem: Problem) -> Decision | None:
 
 
 def _powers(node: Node, statement: Statement) -> Counter[int | str] | None:
-    """Return the exponents of numbers and scalars, that of −1 being 0 or 1; None for no such product."""
+    """Return the exponents of numbers and scalars (0 or 1 for −1), or None if the term is not such
+    a product.
+    """
     match node:
         case Number(int() as n) if n:
             return _product(Counter({abs(n): int(abs(n) > 1)}), Counter({-1: int(n < 0)}))

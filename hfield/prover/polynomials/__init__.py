@@ -1,1 +1,1 @@
-"""Clauses about polynomials, and ideals with cofactors, commutative and free."""
+"""Clauses about polynomials, and ideals with cofactors, in commutative and free algebras."""

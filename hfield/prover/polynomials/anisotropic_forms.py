@@ -1,7 +1,8 @@
-"""Find forms that represent 0 only trivially as factors of a polynomial.
+"""Find anisotropic forms as factors of a polynomial.
 
-``s² − 2y²`` puts s and y to 0 over ℚ, since 2 is not a square there; ``s² + y² − 3z²`` all three, since
-(−1, 3) is a division algebra over ℚ. A quadratic polynomial is first written as Σ c·L² by Lagrange's method.
+``s² − 2y² = 0`` implies s = y = 0 over ℚ, since 2 is not a square; ``s² + y² − 3z² = 0`` implies that all
+three are 0, since (−1, 3) is a division algebra over ℚ. A quadratic polynomial is first written as Σ c·L² by
+Lagrange's method.
 """
 
 from __future__ import annotations
@@ -31,16 +32,18 @@ Square: TypeAlias = "tuple[flint.fmpz, flint.fmpz_mpoly]"  # c and L of c·L²
 
 @dataclass(frozen=True)
 class AnisotropicForm:
-    """``value`` is a form in ``terms`` that is 0 only where they are; ``step`` says so in evidence."""
+    """A form ``value`` in ``terms`` that is 0 only if all terms are; ``step`` is its notation in evidence."""
 
     value: flint.fmpz_mpoly
     terms: tuple[flint.fmpz_mpoly, ...]
     step: Mapping[str, object]
-    rule: Rule | None = None  # a rule of its own, besides the one for roots
+    rule: Rule | None = None  # its own rule, in addition to the one for roots
 
 
 class FormFinder:
-    """Finds forms in polynomials whose variables from ``unknowns`` on, ``names`` of them, are constants."""
+    """Finds forms in polynomials; the variables from index ``unknowns`` on, called ``names``, are
+    constants.
+    """
 
     def __init__(
         self, names: tuple[str, ...], unknowns: int, field: Ring, context: flint.fmpz_mpoly_ctx
@@ -109,7 +112,7 @@ class FormFinder:
     def form(
         self, coefficients: list[flint.fmpz_mpoly], x: flint.fmpz_mpoly, y: flint.fmpz_mpoly
     ) -> AnisotropicForm:
-        """Return Σ cₖ·x^k·y^(n−k) as a form."""
+        """Return Σ cₖ·x^k·y^(n−k) as an anisotropic form."""
         n = len(coefficients) - 1
         zero = self.context.constant(0)
         value = sum((c * x**k * y ** (n - k) for k, c in enumerate(coefficients)), zero)
@@ -119,7 +122,7 @@ class FormFinder:
     # --- quadratic forms -------------------------------------------------------------------------
 
     def diagonal(self, f: flint.fmpz_mpoly) -> list[Square] | None:
-        """Return squares with Σ c·L² a multiple of f (Lagrange), None if a step has no square."""
+        """Return squares with Σ c·L² a multiple of f (Lagrange), or None if a step has no square term."""
         degrees = [sum(int(m[n]) for n in self.free) for m, _ in f.terms()]
         if max(degrees) != 2:
             return None
@@ -166,7 +169,7 @@ class FormFinder:
         return made
 
     def quadratic(self, squares: list[Square]) -> Iterator[AnisotropicForm]:
-        """Yield the reasons why Σ c·L² is 0 only where all L are 0."""
+        """Yield the reasons why Σ c·L² is 0 only if all L are 0."""
         if any(self.is_zero(c) for c, _ in squares):
             return
         zero = self.context.constant(0)
@@ -185,7 +188,7 @@ class FormFinder:
             yield from self.ternary(squares)
 
     def ternary(self, squares: list[Square]) -> Iterator[AnisotropicForm]:
-        """Return a·(a·X² + b·Y² + c·Z²) as the norm of (−ab, −ac), where that is a division algebra."""
+        """Return a·(a·X² + b·Y² + c·Z²) as the norm of (−ab, −ac), if that is a division algebra."""
         (a, x), (b, y), (c, z) = squares
         (p, alpha), (q, beta) = (square_free(-a * other) for other in (b, c))
         rule = norm_rule_of(self.field, self.text(alpha), self.text(beta))
@@ -198,7 +201,7 @@ class FormFinder:
     # --- coefficients ----------------------------------------------------------------------------
 
     def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], flint.fmpz_mpoly]:
-        """Return the coefficients, polynomials in the constants, by the exponents of the free variables."""
+        """Return the coefficients, polynomials in the constants, by exponents of the free variables."""
         return collected(f, self.free)
 
     def value(self, f: flint.fmpz_mpoly) -> flint.fmpz_mpoly:

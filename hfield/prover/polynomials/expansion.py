@@ -1,9 +1,9 @@
 """Statements as clauses about polynomials with integer coefficients.
 
-The coordinates of the unknowns become variables, ``q[0] … q[3]`` for a quaternion, ``s`` for a
-scalar; so do the letters of an algebra ``(a,b|F)`` and the constants of a field, such as its
-generator. A statement that divides is expanded with fractions of polynomials, whose denominators
-are then conditions of their own.
+The coordinates of the unknowns become variables: ``q[0] … q[3]`` for a quaternion, ``s`` for a scalar. The
+letters of an algebra ``(a,b|F)`` and the constants of a field, such as its generator, become variables as
+well. A statement with division is expanded with fractions of polynomials, whose denominators are separate
+conditions.
 """
 
 from __future__ import annotations
@@ -35,19 +35,19 @@ if TYPE_CHECKING:
     from hfield.core.product import Coordinates
 
 
-MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
+MAX_WORK = 4_000_000  # products of terms, about one second; this limits the memory too
 MAX_WEIGHT = 20_000
 
-Term: TypeAlias = "flint.fmpz_mpoly | PolynomialFraction"  # what stands for a scalar
+Term: TypeAlias = "flint.fmpz_mpoly | PolynomialFraction"  # the representation of a scalar
 Conditions: TypeAlias = tuple[flint.fmpz_mpoly, ...]  # polynomials that must not be 0
 
 
 @dataclass(frozen=True)
 class Expanded:
-    """A statement as clauses over the variables ``variables`` (their texts) of ``context``.
+    """A statement as clauses over polynomials of ``context``, whose ``variables`` are given as texts.
 
-    The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants
-    of the field. Where one of ``conditions`` is 0 there is no algebra.
+    The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants of the
+    field. There is no algebra at points where one of ``conditions`` is 0.
     """
 
     context: flint.fmpz_mpoly_ctx
@@ -71,15 +71,15 @@ def coordinate_names(name: str, sort: Sort) -> list[str]:
 def expand(problem: Problem) -> Expanded:
     """Expand the statement of a problem, in its algebra.
 
-    Quantifiers are left aside: hypotheses and conclusion become one formula. Raises
-    :class:`TooLargeError` rather than begin what would not end.
+    Quantifiers are ignored: hypotheses and conclusion become one formula. Raises :class:`TooLargeError`
+    before an expansion that would take too long.
     """
     statement = problem.statement
     if statement.weight > MAX_WEIGHT:
         raise TooLargeError("the degree or the numbers are too large to expand")
     world = Symbolic(problem)
     hypotheses, conditions = TRUE, tuple(world.conditions)
-    for condition in conditions:  # where there is no algebra, nothing is said
+    for condition in conditions:  # without an algebra there are no hypotheses
         hypotheses = hypotheses & literal((condition,), False)
     for h in statement.hypotheses:
         hypotheses = hypotheses & world.truth(h)
@@ -88,11 +88,10 @@ def expand(problem: Problem) -> Expanded:
 
 
 class Symbolic(Evaluator[Term, Conditions, Formula]):
-    """Evaluates the statement of a problem to formulas about polynomials in its unknowns.
+    """Evaluates the statement of a problem to a formula about polynomials in its unknowns.
 
     The first ``unknowns`` of the ``variables`` are coordinates of unknowns, the others constants of the
-    field.
-    The structure constants are defined where none of the ``conditions`` is 0.
+    field. The structure constants are defined at points where none of the ``conditions`` is 0.
     """
 
     scalars: PolynomialScalars
@@ -117,12 +116,12 @@ class Symbolic(Evaluator[Term, Conditions, Formula]):
         self.conditions: Conditions = self.bind(values)
 
     def numerators(self, x: Term | tuple[Term, ...]) -> tuple[flint.fmpz_mpoly, ...]:
-        """Return the polynomials whose zeros are those of the coordinates of x, where x is defined."""
+        """Return the polynomials with the same zeros as the coordinates of x, where x is defined."""
         return tuple(map(self.scalars.numerator, self.embed(x)))
 
 
 class ExpansionBudget:
-    """The remaining work; every product of polynomials spends its cost beforehand."""
+    """The remaining work; the cost of every product of polynomials is subtracted in advance."""
 
     def __init__(self) -> None:
         self.left = MAX_WORK
@@ -135,7 +134,7 @@ class ExpansionBudget:
 
 
 class PolynomialScalars(Scalars[Term, Conditions, Formula]):
-    """Scalars are integer polynomials, statements are formulas about their zeros."""
+    """Integer polynomials as scalars; statements become formulas about their zeros."""
 
     always = ()
     true, false = TRUE, FALSE
@@ -147,11 +146,11 @@ class PolynomialScalars(Scalars[Term, Conditions, Formula]):
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
     def lift(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-        """Turn a polynomial into a scalar."""
+        """Convert a polynomial to a scalar."""
         return x
 
     def numerator(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-        """Return the polynomial whose zeros are those of x, where x is defined."""
+        """Return the polynomial with the same zeros as x, where x is defined."""
         return x
 
     def number(self, value: int | Fraction) -> tuple[Term, Conditions]:
@@ -159,31 +158,31 @@ class PolynomialScalars(Scalars[Term, Conditions, Formula]):
         return self.lift(self.context.constant(value.numerator)), ()
 
     def reciprocal(self, x: flint.fmpz_mpoly) -> tuple[Term, Conditions]:
-        """Never reached: a statement that divides is expanded with fractions."""
+        """Never called: a statement with division is expanded with fractions."""
         raise AssertionError("division of polynomials without denominators")
 
     def times(self, x: Term, y: Term) -> Term:
-        """Multiply, after charging for it."""
+        """Return the product, after spending its cost from the budget."""
         self.budget.spend(len(x) * len(y))
         return x * y
 
     def scale(self, q: Coordinates, s: Term) -> Coordinates:
-        """Multiply, after charging for it."""
+        """Return the product with a scalar, after spending its cost from the budget."""
         self.budget.spend(_size(q) * len(s))
         return super().scale(q, s)
 
     def multiply(self, constants: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
-        """Multiply, after charging for it."""
+        """Return the product, after spending its cost from the budget."""
         self.budget.spend(_size(p) * _size(q))
         return super().multiply(constants, p, q)
 
     def norm(self, constants: Constants, q: Coordinates) -> Term:
-        """Return the norm, after charging for it."""
+        """Return the norm, after spending its cost from the budget."""
         self.budget.spend(_size(q) ** 2)
         return super().norm(constants, q)
 
     def together(self, x: Conditions, y: Conditions) -> Conditions:
-        """Return all the polynomials, each once."""
+        """Return the union of two lists of polynomials, without repetitions."""
         return x if x == y or not y else x + tuple(p for p in y if p not in x)
 
     def both(self, x: Formula, y: Formula) -> Formula:
@@ -195,7 +194,7 @@ class PolynomialScalars(Scalars[Term, Conditions, Formula]):
         return x | y
 
     def negate(self, x: Formula) -> Formula:
-        """Return the opposite formula."""
+        """Return the negated formula."""
         return ~x
 
     def equal(self, differences: Iterable[Term], defined: Conditions) -> Formula:
@@ -214,7 +213,7 @@ class PolynomialScalars(Scalars[Term, Conditions, Formula]):
 
 
 class _Fractions(PolynomialScalars):
-    """Scalars are fractions of polynomials."""
+    """Fractions of polynomials as scalars."""
 
     reflexive = False  # a thing that is not defined is not itself
 
@@ -235,7 +234,7 @@ class _Fractions(PolynomialScalars):
 
 
 class PolynomialFraction:
-    """A fraction of polynomials, never reduced, so that the numerator is well defined.
+    """A fraction of polynomials that is never reduced, so that the numerator is well defined.
 
     u/d + v/d = (u + v)/d, u/d + v/f = (u·f + v·d)/(d·f), and 0 is always 0/1.
     """

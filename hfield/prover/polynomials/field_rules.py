@@ -1,8 +1,7 @@
 """Rules: properties of a field that help to prove implications over it.
 
-Each rule says that a quadratic form represents 0 only trivially, so that all its arguments are 0
-wherever its value is. The reasons come from the ring and from ``zero_norms``; they
-stand in the evidence beside the rule.
+Each rule says that a quadratic form is anisotropic, so that all its arguments are 0 if its value is 0. The
+reasons come from the ring and from ``zero_norms``; the evidence contains them with the rule.
 """
 
 from collections.abc import Mapping
@@ -26,12 +25,12 @@ EXHAUSTED = 1_000  # elements of a field in which all cases are tried rather
 
 @dataclass(frozen=True)
 class Rule:
-    """A form of which 0 is the only zero: the norm, or any sum of up to ``most`` squares.
+    """An anisotropic form: the norm, or any sum of up to ``most`` squares.
 
-    Or, with the form ``roots``, that factoring finds the roots in the field. ``positive`` tells
-    that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is
-    for people, ``by`` its kind in a word, ``assumes`` the theorems it cites, and ``data`` what a norm form is
-    shown with.
+    With the form ``roots`` the rule says instead that factoring finds all roots in the field. ``positive``
+    means that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is an
+    explanation in words, ``by`` its kind as one word, ``assumes`` the theorems it cites, and ``data`` the
+    proof data of a norm form.
     """
 
     form: str
@@ -40,12 +39,12 @@ class Rule:
     positive: bool = False
     assumes: tuple[str, ...] = ()
     by: str = ""
-    algebra: str = ""  # whose norm it is, where that is not the algebra of the statement
+    algebra: str = ""  # the algebra of the norm, if it is not the algebra of the statement
     data: Mapping[str, object] | None = a_field(default=None, compare=False)
 
     @property
     def fact(self) -> str:
-        """The rule in words."""
+        """The fact that the rule states, in words."""
         if self.form == ROOTS:
             return self.reason
         name = "norm-zero-of" if self.algebra else f"{self.form}-zero"
@@ -108,7 +107,7 @@ def _roots_rule(field: Ring) -> Rule | None:
 
 @lru_cache(maxsize=256)
 def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
-    """Return the rule that the norm of (a, b) over the field is 0 only at 0, if that is known."""
+    """Return the rule that the norm of (a, b) over the field is anisotropic, if that is known."""
     setting = read_setting(field, f"({a},{b}|{field.name})")
     try:
         found = _norm_rule(setting, field, structure_constants(setting))
@@ -118,7 +117,7 @@ def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
 
 
 def unused_norm(setting: Setting) -> str | None:
-    """Return why no rule speaks of the norm, where it may be, or even is, 0 only at 0."""
+    """Return why there is no rule about the norm, although it is or may be anisotropic."""
     field = setting.field
     if field is None or setting.letters or not (field.is_field and field.is_exact):
         return None
@@ -130,7 +129,7 @@ def unused_norm(setting: Setting) -> str | None:
 
 
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
-    """Return the rule, or None where the norm has a zero. Raises :class:`UndecidedError`."""
+    """Return the rule, or None if the norm has a nontrivial zero. Raises :class:`UndecidedError`."""
     from hfield.checker.anisotropy import is_readable
     from hfield.fields.quadratic_forms.norm_forms.zero_norms import norm_evidence, zero_norm
 
@@ -141,7 +140,7 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
         return None
     data = norm_evidence(setting.symbol, field, c, answer)
     if data is None and not is_readable(setting.symbol, field.data):
-        data = {"by": answer.method}  # the answer stands, and says that it has no certificate
+        data = {"by": answer.method}  # the answer is kept, but has no certificate
     if data is None:
         raise UndecidedError(
             f"the norm of {setting.symbol} is 0 only at 0 ({answer.reason}), but not by a reason that a "
@@ -152,16 +151,16 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
 
 @lru_cache(maxsize=256)
 def structure_constants(setting: Setting) -> Constants:
-    """Return ``(a, t, b)`` as elements of the field; no letter may be left in them."""
+    """Return ``(a, t, b)`` as elements of the field; they must not contain letters."""
     assert setting.field is not None
     return Constants(*(setting.field(text) for text in setting.constants))
 
 
 @lru_cache(maxsize=256)
 def relation(field: Ring, text: str) -> tuple[int, ...] | None:
-    """Return integers ``(c0, c1, …)`` with Σ cₙ·gⁿ = 0 for the constant g of that text, if known.
+    """Return integers ``(c0, c1, …)`` with Σ cₙ·gⁿ = 0 for the constant g with that text, if known.
 
-    For the generator of a finite field that is its modulus, for a root of a rational number its power.
+    For the generator of a finite field this is the modulus; for a root of a rational number, the power.
     """
     modulus = getattr(field, "coefficients", None)
     if field.order is not None and modulus is not None and text == field.gen_name:
@@ -177,7 +176,7 @@ def relation(field: Ring, text: str) -> tuple[int, ...] | None:
 
 
 def _root_degree(text: str) -> int:
-    """Return n for the text of an n-th root, and 2 for any other constant, which may be a square root."""
+    """Return n for the text of an n-th root, and 2 for other constants, which may be square roots."""
     match parse(text):
         case Call("cbrt", _):
             return 3

@@ -1,8 +1,8 @@
 """Decide membership in two-sided ideals of free algebras, with cofactors.
 
-Words are strings, polynomials map words to coefficients. Buchberger's algorithm in the free algebra
-(Mora 1986) need not stop, so it is bounded; what it finds is multiplied out again by whoever reads
-the cofactors: ``f = Σ c·left·generator·right``.
+Words are strings, and polynomials map words to coefficients. Buchberger's algorithm in the free algebra (Mora
+1986) need not terminate, so it is bounded. Its result is verified by multiplying out the cofactors: ``f = Σ
+c·left·generator·right``.
 """
 
 from collections import deque
@@ -16,13 +16,13 @@ K = TypeVar("K", bound=Hashable)
 Number: TypeAlias = int | Fraction
 Words = dict[str, Number]  # word → coefficient
 Cofactors = dict[tuple[str, int, str], Number]  # left, generator, right → coefficient
-Rule = tuple[str, Words, Cofactors]  # leading word, the monic polynomial, where it comes from
+Rule = tuple[str, Words, Cofactors]  # the leading word, the monic polynomial, and its origin
 
 MAX_RULES = 200
 
 
 class Rewriting:
-    """A growing system of rules over ℚ (p = 0) or modulo p for the ideal of ``generators``."""
+    """A growing rewriting system over ℚ (p = 0) or modulo p for the ideal of ``generators``."""
 
     def __init__(
         self,
@@ -43,7 +43,7 @@ class Rewriting:
         return int(c) % self.p if self.p else Fraction(c)
 
     def run(self) -> bool:
-        """Resolve overlaps until none is left; False when a bound was met first."""
+        """Resolve overlaps until none is left; return False if a bound is reached first."""
         while self.pairs:
             if self.clock.is_late or len(self.rules) > MAX_RULES:
                 return False
@@ -69,7 +69,7 @@ class Rewriting:
         return rest, cofactors
 
     def member(self, f: Mapping[str, int]) -> Cofactors | None:
-        """Return cofactors for f by the rules so far, or None."""
+        """Return cofactors for f by the current rules, or None."""
         rest, negative = self.reduce(
             {w: self.number(c) for w, c in f.items() if self.number(c)}, {}
         )
@@ -94,7 +94,7 @@ class Rewriting:
         self.pairs.extend((new, old) for old in range(new + 1))
 
     def _overlaps(self, x: int, y: int) -> Iterator[tuple[Words, Cofactors]]:
-        """Yield the two ways to rewrite each overlap of both leading words."""
+        """Yield, for each overlap of both leading words, the two ways to rewrite it."""
         (a, f, own), (b, g, other) = self.rules[x], self.rules[y]
         places = [(b[n:], a[:-n], "") for n in range(1, min(len(a), len(b))) if a[-n:] == b[:n]]
         if x != y and b in a:

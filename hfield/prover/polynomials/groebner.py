@@ -1,8 +1,9 @@
-"""Buchberger's algorithm over a prime field, with the origin of each element.
+"""Buchberger's algorithm over a prime field, with a history for each element.
 
-From the history, cofactors to the generators are recovered for whatever reduces to 0. Monomials are
-integers whose order is degree reverse lexicographic and whose sum is the product of monomials:
-``(degree << n·B) − Σ eₖ << k·B``. Pairs are cut down by the criteria of Gebauer and Möller (1988).
+The history gives cofactors with respect to the generators for every polynomial that reduces to 0. Monomials
+are encoded as integers ``(degree << n·B) − Σ eₖ << k·B``: the order of integers is the degree reverse
+lexicographic order, and the sum of codes is the product of monomials. Pairs are eliminated by the criteria of
+Gebauer and Möller (1988).
 """
 
 import heapq
@@ -21,7 +22,7 @@ History = list[tuple[int, int, int]]  # element or generator, monomial, coeffici
 
 
 class Monomials:
-    """The coding of monomials in ``n`` variables."""
+    """The encoding of monomials in ``n`` variables."""
 
     def __init__(self, n: int) -> None:
         self.n, self.width = n, n * FIELD_BITS
@@ -49,7 +50,7 @@ class Monomials:
         return ((-y & mask | guard) - (-x & mask)) & guard == guard
 
     def lcm(self, x: int, y: int) -> int:
-        """Return the least common multiple: the greater exponent in all fields at once."""
+        """Return the least common multiple: the maximum of the exponents, in all fields at once."""
         u, v, guard = -x & self.mask, -y & self.mask, self.guard
         above = (u | guard) - v & guard  # where u has the greater exponent
         chosen = above - (above >> FIELD_BITS - 1)
@@ -65,7 +66,7 @@ class Monomials:
 
 
 class Basis:
-    """A growing Gröbner basis modulo the prime p; ``generators`` counts what was put in."""
+    """A growing Gröbner basis modulo the prime p; ``generators`` counts the generators added."""
 
     def __init__(self, n: int, p: int, clock: Clock = UNTIMED) -> None:
         self.monomials, self.p, self.generators, self.clock = Monomials(n), p, 0, clock
@@ -105,7 +106,7 @@ class Basis:
     def reduce(self, f: Polynomial) -> tuple[Polynomial, History]:
         """Return the normal form r of f and a history h with r = f + h.
 
-        Raises :class:`TooLargeError` when the time limit is reached.
+        Raises :class:`TooLargeError` if the time limit is reached.
         """
         p, mask, guard, active = self.p, self.monomials.mask, self.monomials.guard, self.active
         rest: Polynomial = {}
@@ -141,9 +142,9 @@ class Basis:
         return rest, history
 
     def express(self, history: History) -> list[Polynomial]:
-        """Write Σ coefficient·monomial·element as cofactors to the generators.
+        """Write Σ coefficient·monomial·element as cofactors with respect to the generators.
 
-        Raises TooLargeError when the cofactors grow beyond all use.
+        Raises TooLargeError if the cofactors become too large.
         """
         p = self.p
         sums: dict[int, Polynomial] = {}
@@ -163,7 +164,7 @@ class Basis:
         ]
 
     def _enter(self, f: Polynomial, history: History) -> None:
-        """Make f monic and add it to the basis, with the pairs that are worth while."""
+        """Make f monic and add it to the basis, with the pairs that survive the criteria."""
         if not f:
             return
         mon, new = self.monomials, len(self.leads)
@@ -203,7 +204,7 @@ class Basis:
         return out
 
     def _cut(self, lead: int) -> None:
-        """Drop the old pairs that the new element makes superfluous (Buchberger's chain)."""
+        """Drop the old pairs that the new element makes superfluous (Buchberger's chain criterion)."""
         mon = self.monomials
         self.pairs = [
             pair

@@ -1,8 +1,8 @@
 """Decide membership in ideals, with exact cofactors.
 
-The search runs modulo a prime: the characteristic, or a large prime when the characteristic is 0,
-in which case the cofactors' coefficients are then reconstructed as rational numbers. Either way the
-identity ``denominator·target = Σ cofactor·generator`` is multiplied out before it is believed.
+The search runs modulo a prime: the characteristic, or in characteristic 0 a large prime, from which the
+coefficients of the cofactors are reconstructed as rational numbers. In both cases the identity
+``denominator·target = Σ cofactor·generator`` is verified by multiplying out.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ LARGE_PRIMES = (2**61 - 1, 2**127 - 1, 2**521 - 1)
 
 @dataclass(frozen=True)
 class Cofactors:
-    """``denominator·target = Σ factors[n]·generators[n]``, modulo the characteristic if it is p."""
+    """Cofactors with ``denominator·target = Σ factors[n]·generators[n]``, modulo p in characteristic p."""
 
     factors: tuple[flint.fmpz_mpoly, ...]
     denominator: int
 
 
 class PolynomialIdeal:
-    """An ideal that grows; polynomials are flint's, over ``context``, all of one characteristic."""
+    """A growing ideal; the polynomials are flint's, over ``context``, all of one characteristic."""
 
     def __init__(
         self,
@@ -72,13 +72,13 @@ class PolynomialIdeal:
 
     @property
     def is_everything(self) -> bool:
-        """Whether 1 is in the ideal."""
+        """Whether 1 lies in the ideal."""
         return self.basis.has_one
 
     def cofactors(self, target: flint.fmpz_mpoly) -> Cofactors | None:
-        """Return cofactors for ``target`` if it reduces to 0 by the basis so far, else None.
+        """Return cofactors for ``target`` if the current basis reduces it to 0, else None.
 
-        Raises :class:`TooLargeError` when the time limit is reached.
+        Raises :class:`TooLargeError` if the time limit is reached.
         """
         rest, history = self.basis.reduce(self._reduced(target))
         if rest:
@@ -89,8 +89,8 @@ class PolynomialIdeal:
     def elements(self) -> list[flint.fmpz_mpoly]:
         """Return the minimal elements of the basis, reduced, as integer polynomials.
 
-        They come from numbers modulo a prime: what is made of them is in the ideal once it has
-        :meth:`cofactors`. Raises :class:`TooLargeError` when the time limit is reached.
+        They are reconstructed from residues modulo a prime, so a polynomial is proved to lie in the ideal
+        only by its :meth:`cofactors`. Raises :class:`TooLargeError` if the time limit is reached.
         """
         size = len(self.basis.leads)
         if size != self._listed[0]:
@@ -113,7 +113,7 @@ class PolynomialIdeal:
         return {encode(map(int, m)): int(c) for m, c in polynomial.terms()}
 
     def _verified(self, target: flint.fmpz_mpoly, history: History) -> Cofactors | None:
-        """Turn a history into cofactors and multiply them out."""
+        """Convert a history to cofactors, and verify them by multiplication."""
         try:
             modular = self.basis.express(history)
         except TooLargeError:
@@ -155,7 +155,7 @@ class PolynomialIdeal:
 
 
 def _reconstruct(c: int, p: int) -> tuple[int, int] | None:
-    """Return the fraction with small terms that is c modulo p (Wang's algorithm), or None."""
+    """Return the fraction with small terms that is congruent to c modulo p (Wang's algorithm), or None."""
     bound = isqrt(p // 2)
     r0, r1, s0, s1 = p, c, 0, 1
     while r1 > bound:

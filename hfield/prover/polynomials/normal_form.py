@@ -1,7 +1,8 @@
 """Formulas about zeros of polynomials, and their clauses.
 
-A statement over a field becomes "and" and "or" of two kinds of literals: all polynomials of a tuple
-are 0, or some is not. Its clauses then read "if all of these are 0, one of those tuples is 0".
+A statement over a field becomes a combination by "and" and "or" of two kinds of literals: all polynomials of
+a tuple are 0, or some is not 0. Its clauses are then: if all of these polynomials are 0, then one of those
+tuples is 0.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ MAX_CLAUSES = 256
 
 @dataclass(frozen=True)
 class Literal:
-    """``polynomials`` are all 0 (``zero``), or they are not all 0; ``key`` is their text."""
+    """A literal: the ``polynomials`` are all 0 (``zero``), or not all of them are 0; ``key`` is
+    their text.
+    """
 
     polynomials: tuple[flint.fmpz_mpoly, ...] = field(compare=False)
     zero: bool
@@ -30,7 +33,9 @@ class Literal:
 
 @dataclass(frozen=True)
 class Formula:
-    """A literal, or ``and``/``or`` of formulas; no part for "true" (and) and for "false" (or)."""
+    """A literal, or ``and``/``or`` of formulas; ``and`` without parts is true, and ``or`` without parts
+    false.
+    """
 
     op: str
     parts: tuple[Formula, ...] = ()
@@ -61,7 +66,7 @@ def literal(polynomials: Iterable[flint.fmpz_mpoly], zero: bool) -> Formula:
 
 @dataclass(frozen=True)
 class PolynomialClause:
-    """If all polynomials of ``zeros`` vanish, then all of one of the tuples ``goals`` do."""
+    """If all polynomials of ``zeros`` vanish, then so do all polynomials of one of the tuples ``goals``."""
 
     zeros: tuple[flint.fmpz_mpoly, ...]
     goals: tuple[tuple[flint.fmpz_mpoly, ...], ...]

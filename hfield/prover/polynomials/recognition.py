@@ -1,4 +1,4 @@
-"""Recognise polynomials: sums of squares, and those without roots in a field."""
+"""Recognise sums of squares, and polynomials without roots in a field."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def as_squares(f: flint.fmpz_mpoly, rule: Rule) -> list[tuple[int, flint.fmpz_mp
 
 
 def has_no_root(f: flint.fmpz_mpoly, variables: Sequence[str], unknowns: int, field: Ring) -> bool:
-    """Return whether f is a polynomial in one unknown that certainly has no root in the field.
+    """Return whether f is a polynomial in one unknown that provably has no root in the field.
 
-    Variables from ``unknowns`` on are constants of the field, as far as ``variables`` names them;
-    the rest are unknowns again.
+    The variables from ``unknowns`` on that ``variables`` names are constants of the field; any further ones
+    are unknowns.
     """
     degrees = [int(d) for d in f.degrees()]
     known = slice(unknowns, len(variables))

@@ -1,4 +1,4 @@
-"""Relations with which a proof may start besides its clause."""
+"""Relations that a proof may use besides the clause."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ MAX_QUATERNION_TERMS = 200
 def relations_of(x: Expanded, field: Ring | None) -> tuple[flint.fmpz_mpoly, ...]:
     """Return the known polynomial relations of the constants of the field.
 
-    Those are polynomials in one constant, and for a cosine and the sine of the same angle the unit circle.
+    These are polynomials in one constant, and the equation of the unit circle for the cosine and sine of one
+    angle.
     """
     if field is None:
         return ()
@@ -50,9 +51,10 @@ def relations_of(x: Expanded, field: Ring | None) -> tuple[flint.fmpz_mpoly, ...
 def nonzero_constants_of(
     x: Expanded, field: Ring | None, polynomials: Iterable[flint.fmpz_mpoly]
 ) -> tuple[flint.fmpz_mpoly, ...]:
-    """Return what is not 0 among the coefficients of polynomials, as polynomials in constants of the field.
+    """Return the nonzero factors of coefficients of polynomials, as polynomials in the constants of the
+    field.
 
-    Only where some constant satisfies no known relation: elsewhere a relation tells the inverses.
+    Only if some constant satisfies no known relation; otherwise a relation determines the inverses.
     """
     if field is None or not x.has_constants:
         return ()
@@ -72,7 +74,7 @@ def nonzero_constants_of(
 def quaternions_of(
     problem: Problem,
 ) -> tuple[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly], ...]:
-    """Return the quaternions that occur in the statement and their vectors, each with its norm."""
+    """Return the quaternions in the statement and their vector parts, each with its norm."""
     world = Symbolic(problem)
     statement = problem.statement
     found: dict[str, tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]] = {}
@@ -100,7 +102,7 @@ def quaternions_of(
 
 
 def is_scalar(term: Node, sorts: Mapping[str, Sort]) -> bool:
-    """Return whether a term is a scalar; a constant of the field is one."""
+    """Return whether a term is a scalar; constants of the field are scalars."""
     match term:
         case Name(name):
             return sorts.get(name) is not Sort.QUATERNION and name not in BASIS

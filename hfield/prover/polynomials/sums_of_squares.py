@@ -2,9 +2,9 @@
 
 A Gram matrix of f is a symmetric matrix G with ``f = mᵀ·G·m`` for monomials m; some of its entries are free.
 An interior point method finds a positive semidefinite G in floats. G is rounded to rational numbers and
-factored exactly as L·D·Lᵀ, so the floats decide only whether a sum is found, not whether it is right. If all
-Gram matrices are singular, as for the Cauchy–Schwarz inequality, their common kernel is rounded first
-(Peyrl and Parrilo, "Computing sum of squares decompositions with rational coefficients", Theoretical Computer
+factored exactly as L·D·Lᵀ, so floats affect whether a sum is found, but not whether it is correct. If all
+Gram matrices are singular, as for the Cauchy–Schwarz inequality, their common kernel is rounded first (Peyrl
+and Parrilo, "Computing sum of squares decompositions with rational coefficients", Theoretical Computer
 Science 409 (2008); Powers and Wörmann on Gram matrices, J. Pure Appl. Algebra 127 (1998)).
 """
 
@@ -74,7 +74,7 @@ def as_sum_of_squares(
 
 
 def eliminate_variables(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]:
-    """Substitute in polynomials of an ideal the powers vᵏ of variables that its generators express.
+    """Eliminate from the polynomials of an ideal those powers vᵏ of variables that its generators express.
 
     ``s - z**2`` expresses s; ``m**2 - n**2 - z**2`` expresses m² if m occurs in even powers only. After
     this substitution a polynomial is often a sum of squares.
@@ -108,7 +108,7 @@ def _powers_expressed(
 
 
 def _substitute(f: flint.fmpz_mpoly, n: int, k: int, value: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-    """Substitute a value for the k-th power of variable n."""
+    """Substitute a value for vᵏ, where v is variable n."""
     context, parts = f.context(), dict[int, dict[Monomial, int]]()
     for m, c in f.terms():
         rest = (*m[:n], 0, *m[n + 1 :])
@@ -136,7 +136,7 @@ def _squares(f: Terms, clock: Clock) -> list[Square] | None:
 
 
 def _directions(width: int) -> list[Monomial]:
-    """Return linear functions of exponents: coordinates, the degree, and some at random."""
+    """Return linear functions of exponents: the coordinates, the degree, and several random ones."""
     rng = Random(width)
     units = [tuple(int(n == m) for n in range(width)) for m in range(width)]
     random = [tuple(rng.randint(-9, 9) for _ in range(width)) for _ in range(RANDOM_DIRECTIONS)]
@@ -159,7 +159,7 @@ def _may_be_positive(f: Terms, weights: Sequence[Monomial]) -> bool:
 
 
 def _halves(f: Terms, weights: Sequence[Monomial]) -> list[Monomial] | None:
-    """Return the monomials that may occur in the polynomials that are squared."""
+    """Return the monomials that may occur in the polynomials to be squared."""
     ends = [max(m[n] for m in f) // 2 for n in range(len(next(iter(f))))]
     if prod(e + 1 for e in ends) > MAX_BOX:
         return None
@@ -185,7 +185,7 @@ def _times(m: Monomial, n: Monomial) -> Monomial:
 
 
 def _blocks(f: Terms, monomials: Sequence[Monomial]) -> list[list[Monomial]]:
-    """Return the classes of monomials under the sign changes of variables that leave f unchanged."""
+    """Return the classes of monomials under those sign changes of variables that leave f unchanged."""
     basis: dict[int, int] = {}  # by the highest bit
 
     def reduced(m: Monomial) -> int:
@@ -207,9 +207,10 @@ def _blocks(f: Terms, monomials: Sequence[Monomial]) -> list[list[Monomial]]:
 
 @dataclass
 class _Gram:
-    """A symmetric matrix in blocks; ``entries`` are those that belong to one monomial of the polynomial.
+    """A symmetric matrix in blocks; ``entries`` lists, for each monomial of f, the entries that contribute to
+    it.
 
-    The last of them follows from the others, which are ``free``.
+    The last entry of each list is determined by the others, which are ``free``.
     """
 
     blocks: list[list[Monomial]]
@@ -218,7 +219,7 @@ class _Gram:
 
     @classmethod
     def of(cls, f: Terms, monomials: Sequence[Monomial]) -> _Gram | None:
-        """Return the Gram matrix of a polynomial; None where it cannot have one."""
+        """Return the Gram matrix of a polynomial, or None if it cannot have one."""
         blocks, places = _blocks(f, monomials), dict[Monomial, list[Entry]]()
         for number, block in enumerate(blocks):
             for i, m in enumerate(block):
@@ -270,9 +271,9 @@ class _Gram:
                 yield solved.nearest(values)
 
     def interior(self, clock: Clock) -> tuple[Floats, list[Floats]] | None:
-        """Return free entries with a positive semidefinite matrix of the largest rank, and its kernels.
+        """Return free entries with a positive semidefinite matrix of maximal rank, and its kernels.
 
-        Minimises s subject to G + s·1 being positive semidefinite; None if the minimum is positive.
+        It minimises s subject to G + s·1 being positive semidefinite; None if the minimum is positive.
         """
         import numpy as np
 
@@ -374,7 +375,7 @@ def _kernel(g: Floats, size: float) -> Floats:
 
 @dataclass
 class _Solutions:
-    """The free entries of matrices with given rational vectors in the kernel: the ``pivots`` by the
+    """The free entries of matrices with given rational kernel vectors; ``pivots`` are expressed by the
     others.
     """
 
@@ -382,7 +383,7 @@ class _Solutions:
 
     @classmethod
     def of(cls, gram: _Gram, kernels: Sequence[Floats]) -> _Solutions | None:
-        """Solve G·v = 0 for the vectors of a kernel, made rational."""
+        """Solve G·v = 0 for rationalised kernel vectors."""
         place = {entry: n for n, entry in enumerate(gram.free)}
         known: dict[Entry, tuple[dict[int, Fraction], Fraction]] = {
             entry: ({n: Fraction(1)}, Fraction(0)) for entry, n in place.items()
@@ -425,7 +426,7 @@ def _eliminate(
     left: dict[int, Fraction],
     right: Fraction,
 ) -> bool:
-    """Add the equation Σ left·x = right to solved ones; False where it contradicts them."""
+    """Add the equation Σ left·x = right to the solved ones; return False if it contradicts them."""
     for n in [n for n in left if n in pivots]:
         parts, number = pivots[n]
         c = left.pop(n)
@@ -449,7 +450,7 @@ def _eliminate(
 
 
 def _complete_squares(block: Sequence[Monomial], g: list[list[Fraction]]) -> list[Square] | None:
-    """Complete squares: return d and polynomials with mᵀ·G·m = Σ d·g², None where a d is negative."""
+    """Complete squares: return d and polynomials with mᵀ·G·m = Σ d·g², or None if some d is negative."""
     out: list[Square] = []
     rows = [row[:] for row in g]
     for n in range(len(block)):

@@ -29,7 +29,7 @@ def content(polynomial: flint.fmpz_mpoly) -> int:
 
 
 def known(question: Callable[P, bool], *args: P.args, **kwargs: P.kwargs) -> bool | None:
-    """Return the answer to a question, None where it is not decided."""
+    """Return the answer to a question, or None if it is not decided."""
     try:
         return question(*args, **kwargs)
     except UndecidedError:
@@ -37,9 +37,10 @@ def known(question: Callable[P, bool], *args: P.args, **kwargs: P.kwargs) -> boo
 
 
 def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Return whether all coefficients are 0 in the ring, with the constants of the field substituted.
+    """Return whether all coefficients are 0 in the ring, after substituting the constants of the field.
 
-    Raises :class:`UndecidedError` where no coefficient is known not to be 0, but may be.
+    Raises :class:`UndecidedError` if it is not known whether some coefficient is 0 and no coefficient is
+    known to be nonzero.
     """
     if polynomial == 0:
         return True
@@ -50,8 +51,8 @@ def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
 
 
 def is_nonzero_constant(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Return whether no unknown occurs and the value, with the constants of the field substituted, is not
-    0.
+    """Return whether the polynomial contains no unknown and has a nonzero value, with constants
+    substituted.
     """
     if any(polynomial.degrees()[: x.unknowns]):
         return False
@@ -61,8 +62,8 @@ def is_nonzero_constant(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) 
 def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
     """Return whether the polynomial is 0 as a function over a field.
 
-    Over an infinite field only the polynomial 0 is; over GF(q) exponents are first reduced by
-    ``x^q = x``, after which no polynomial but 0 is.
+    Over an infinite field only the polynomial 0 vanishes. Over GF(q) exponents are first reduced by ``x^q =
+    x``; after that, too, only 0 vanishes.
     """
     if vanishes(polynomial, x, field):
         return True
@@ -74,10 +75,10 @@ def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring)
 def coefficients(
     polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring, order: int | None = None
 ) -> Mapping[Monomial, Scalar]:
-    """Return the nonzero coefficients in the ring, by the exponents of the unknowns.
+    """Return the nonzero coefficients in the ring, by exponents of the unknowns.
 
-    With ``order`` q the exponents are reduced by ``x^q = x``. Raises :class:`UndecidedError` where a
-    coefficient may be 0.
+    With ``order`` q the exponents are reduced by ``x^q = x``. Raises :class:`UndecidedError` if a coefficient
+    may be 0.
     """
     found = _collected(polynomial, x, field, order)
     return {m: c for m, c in found.items() if not field.is_zero(c)}
@@ -101,7 +102,7 @@ def _collected(
 
 
 def collected(f: flint.fmpz_mpoly, variables: Iterable[int]) -> dict[Monomial, flint.fmpz_mpoly]:
-    """Return the coefficients of f as a polynomial in some of its variables, by the exponents of these."""
+    """Return the coefficients of f as a polynomial in some of its variables, by exponents of these."""
     parts: dict[Monomial, dict[Monomial, int]] = {}
     chosen = frozenset(variables)
     for exponents, c in f.terms():
@@ -113,7 +114,7 @@ def collected(f: flint.fmpz_mpoly, variables: Iterable[int]) -> dict[Monomial, f
 
 
 def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> Scalar:
-    """Return the value of a polynomial in the variables that have one, by their numbers."""
+    """Return the value of a polynomial whose variables are given values by index."""
     total: Scalar = field.zero
     for exponents, c in f.terms():
         term = field(int(c))
@@ -127,9 +128,9 @@ def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> 
 def factored(
     polynomial: flint.fmpz_mpoly, squarefree: bool = False
 ) -> tuple[int, list[tuple[flint.fmpz_mpoly, int]]]:
-    """Return the number and the factors, with their powers, of a polynomial that is not 0.
+    """Return the constant and the factors, with exponents, of a nonzero polynomial.
 
-    Where flint gives up, since a coefficient is longer than a word, the polynomial is its one factor.
+    If flint fails because a coefficient exceeds a machine word, the polynomial itself is the only factor.
     """
     try:
         number, powers = polynomial.factor_squarefree() if squarefree else polynomial.factor()
@@ -140,15 +141,15 @@ def factored(
 
 
 def common_primes(polynomials: list[flint.fmpz_mpoly]) -> list[int] | None:
-    """Return the primes that divide all coefficients: the characteristics in which all vanish.
+    """Return the primes that divide all coefficients: the characteristics in which all polynomials vanish.
 
-    None stands for "all characteristics" or for a gcd that is hard to factor.
+    None means "all characteristics", or that the gcd is hard to factor.
     """
     g = math.gcd(*map(content, polynomials))
     return prime_factors(g) if g else None
 
 
 def prime_factors(n: int) -> list[int] | None:
-    """Return the primes that divide n ≥ 1, or None when that would take long."""
+    """Return the primes that divide n ≥ 1, or None if that would take long."""
     found = factor(n)
     return None if found.rest else list(found.primes)

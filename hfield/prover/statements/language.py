@@ -1,9 +1,8 @@
 """The statement language: the meaning and the sort of each name in a parsed statement.
 
-:mod:`hfield.syntax` turns text into a tree; this module gives every node a sort (quaternion,
-scalar or boolean), finds the unknowns and the constants of the field, and takes the statement
-apart into quantifiers, hypotheses and conclusion. The grammar and the meaning are written down in
-docs/reference/language.md.
+:mod:`hfield.syntax` parses text to a tree. This module gives every node a sort (quaternion, scalar or
+boolean), finds the unknowns and the constants of the field, and separates the statement into quantifiers,
+hypotheses and conclusion. Grammar and meaning are defined in docs/reference/language.md.
 """
 
 from __future__ import annotations
@@ -52,7 +51,7 @@ MAX_TREE_DEPTH = 200
 
 
 class Sort(Enum):
-    """The sort of a term; a scalar is allowed as a quaternion, as a multiple of e."""
+    """The sort of a term; a scalar may stand for a quaternion, as a multiple of e."""
 
     QUATERNION = "quaternion"
     SCALAR = "scalar"
@@ -79,13 +78,13 @@ RESULT = {
 class Statement:
     """A parsed statement: for all ``unknowns``, if ``hypotheses`` then ``conclusion``.
 
-    ``exists`` names the unknowns that are sought rather than given; they belong to ``conclusion``
-    only. ``constants`` are the terms, by their text, whose value is an element of the field, such
-    as its generator. ``node`` is the whole as a tree, ``written`` that with matrices or elements of a
-    table in it, where ``node`` has their entries or coordinates, ``divides`` whether ``/``, ``inv``, a
-    decimal fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
-    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined. ``ordered`` is the
-    statement with its moduli and comparisons, where it has any: ``node`` is about the real closure then.
+    ``exists`` names the existential unknowns, which occur only in ``conclusion``. ``constants`` are the
+    terms, by text, that are elements of the field, such as its generator. ``node`` is the whole statement as
+    a tree. ``written`` is the tree before matrices, or elements of an algebra given by a table, were replaced
+    by entries or coordinates. ``divides`` is true if ``/``, ``inv``, a decimal fraction or a negative power
+    occurs; ``compares_unequal`` if ``!=`` or ``not`` does. ``helpers`` are unknowns of ``node`` that define
+    words of ``written``. ``ordered`` is the statement with its moduli and comparisons, if it has any; then
+    ``node`` is about the real closure.
     """
 
     text: str
@@ -114,13 +113,13 @@ class Statement:
 
     @property
     def assumes_of_basis(self) -> bool:
-        """Whether a hypothesis is about i, j and k alone, which are no unknowns."""
+        """Whether a hypothesis contains only i, j and k, which are not unknowns."""
         named = map(names_in, self.hypotheses)
         return any(names and names <= set(BASIS) for names in named)
 
     @property
     def given(self) -> tuple[tuple[str, Sort], ...]:
-        """The unknowns that the statement is for all values of, with their sorts."""
+        """The universally quantified unknowns, with their sorts."""
         return tuple((name, sort) for name, sort in self.unknowns if name not in self.exists)
 
     @property
@@ -138,13 +137,12 @@ def read_statement(
     constants: tuple[str, ...] = (),
     table: StructureAlgebra | None = None,
 ) -> Statement:
-    """Read ``text``, with the hypotheses ``given`` put in front of it.
+    """Read ``text``, with the hypotheses ``given`` in front of it.
 
-    ``field`` lends its generator's name. ``constants`` are the texts of an algebra's structure
-    constants, ``letters`` the names in them that are scalar unknowns. ``table`` is the algebra where that
-    is given by its table: its elements are written out as coordinates. Raises
-    :class:`NotationError` with the position of the fault: of grammar, of a name that means
-    nothing, or of a sort that does not fit.
+    ``field`` provides the names of its generators. ``constants`` are the texts of an algebra's structure
+    constants; ``letters`` are the names in them that are scalar unknowns. ``table`` is the algebra if it is
+    given by a table; its elements are expanded to coordinates. Raises :class:`NotationError` with the
+    position of a grammar error, an unknown name, or a wrong sort.
     """
     if field is not None and table is None:
         try:
@@ -154,7 +152,7 @@ def read_statement(
         else:
             if generators(field).isdisjoint({*general.sorts, *ENTRIES}):
                 need_order(general.written, field, text)
-                return general  # it says the same over every field
+                return general  # it means the same over every field
     node = _parse(text)
     if given:
         for h in given:
@@ -178,7 +176,7 @@ def _parse(text: str) -> Node:
 
 @lru_cache(maxsize=256)
 def generators(field: Ring) -> frozenset[str]:
-    """Return the names that mean an element of the field, and win over scalar unknowns."""
+    """Return the names of elements of the field, which take precedence over scalar unknowns."""
     return frozenset(field.names())
 
 
@@ -197,7 +195,7 @@ def is_constant_of(field: Ring, text: str) -> bool:
 def statement_words(
     field: Ring | None, letters: Collection[str] = (), table: StructureAlgebra | None = None
 ) -> Vocabulary:
-    """Return the words of statements over a field: ``letters`` are those of the algebra's constants."""
+    """Return the words of statements over a field; ``letters`` are the names in the algebra's constants."""
     taken = frozenset[str]() if field is None else generators(field)
     functions = frozenset() if field is None else frozenset(field.functions())
     own = taken.union(letters, *ENTRIES.values())
@@ -211,7 +209,7 @@ def statement_words(
 
 
 class _Analysis:
-    """One pass over the tree that checks sorts and collects the parts of the statement."""
+    """One pass over the tree, which checks sorts and collects the parts of the statement."""
 
     def __init__(self, text: str, field: Ring | None, letters: tuple[str, ...]) -> None:
         self.text, self.field = text, field
@@ -265,7 +263,7 @@ class _Analysis:
         )
 
     def named(self, node: Node) -> Node:
-        """Return a tree with each partly known number written as one call."""
+        """Return a tree in which each number known only to some precision is written as one call."""
         return node if self.field is None else self.field.named_constants(node)
 
     def is_scalar(self, node: Node) -> bool:

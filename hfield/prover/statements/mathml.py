@@ -17,7 +17,7 @@ BREAKABLE = ("<=>", "=>", "or", "and", "==", "!=", *ORDER, "+", "-")
 
 
 def to_mathml(node: Node) -> str:
-    """Write ``node`` as MathML: formulas in a row, so that a line may be broken before an operator.
+    """Write ``node`` as MathML: formulas in a row, so that lines may break before an operator.
 
     >>> from hfield.syntax import parse
     >>> to_mathml(parse("p == -q**2"))
@@ -28,13 +28,15 @@ def to_mathml(node: Node) -> str:
 
 class _MathML(PlainTextWriter):
     def pieces(self, node: Node, floor: int = -1) -> list[str]:
-        """Return what has to stay on one line, in order; each but the first begins with an operator."""
+        """Return the parts that must stay on one line, in order; each but the first begins with an
+        operator.
+        """
         joined = self.infix(node)
         if joined is None or joined[2] not in BREAKABLE or self.precedence(node) < floor:
             return [self.write(node, floor)]
         x, left, op, y, right = joined
         first, *rest = self.pieces(y, right)
-        # First in its piece it would lose the spaces of an operator between two sides.
+        # As the first of its group it would lose the spaces of an infix operator.
         sign = self.operator(op).replace("<mo>", '<mo form="infix">')
         return [*self.pieces(x, left), sign + first, *rest]
 
@@ -84,5 +86,5 @@ class _MathML(PlainTextWriter):
 
 
 def _row(text: str) -> str:
-    """Group several elements in one, as scripts and fractions need."""
+    """Group several elements into one, as scripts and fractions require."""
     return text if text.count("<m") == 1 else f"<mrow>{text}</mrow>"

@@ -1,8 +1,8 @@
 """Rewrite statements about matrices as statements about their entries.
 
-``L``, ``M`` and ``N`` are unknown 2 × 2 matrices, with the entries ``M11 M12 M21 M22``, which are unknown
-quaternions; ``matrix(p, q, r, u)`` has the rows p, q and r, u, and ``column`` and ``row`` have two entries.
-What is left are quaternions: whoever proves, refutes and certifies does not know of matrices.
+``L``, ``M`` and ``N`` are unknown 2 × 2 matrices, with entries ``M11 M12 M21 M22``, which are unknown
+quaternions. ``matrix(p, q, r, u)`` has the rows p, q and r, u; ``column`` and ``row`` have two entries. After
+the rewriting only quaternions remain, so provers, refuters and the checker need not know matrices.
 """
 
 from __future__ import annotations
@@ -42,9 +42,10 @@ ZERO = Number(0)
 
 
 def expanded(node: Node, taken: Collection[str], text: str) -> Node:
-    """Return a statement with entries in the place of matrices; without matrices it is the same tree.
+    """Return a statement with matrices replaced by entries; a statement without matrices is returned
+    unchanged.
 
-    ``taken`` are names that mean elements of a field. Raises :class:`NotationError` where shapes do not fit.
+    ``taken`` are the names of elements of fields. Raises :class:`NotationError` if shapes do not fit.
     """
     known = {m for m, own in ENTRIES.items() if not {m, *own} & set(taken)}
     speaks = any(
@@ -57,7 +58,9 @@ def expanded(node: Node, taken: Collection[str], text: str) -> Node:
 
 
 def compared(op: str, pairs: Sequence[tuple[Node, Node]], position: int) -> Node:
-    """Return that the two of all pairs are equal, or for ``!=`` that those of some pair are not."""
+    """Return the statement that the two sides of each pair are equal, or for ``!=`` that those of some pair
+    differ.
+    """
     comparisons: list[Node] = [Compare(op, a, b, position=position) for a, b in pairs]
     if op == "==":
         return conjunction(comparisons)
@@ -65,7 +68,9 @@ def compared(op: str, pairs: Sequence[tuple[Node, Node]], position: int) -> Node
 
 
 class _Expansion:
-    """One text: a term is a node, where it is a quaternion, or a table of them."""
+    """The expansion of one text; the value of a term is a node if it is a quaternion, else a table
+    of nodes.
+    """
 
     def __init__(self, known: set[str], text: str) -> None:
         self.known, self.text, self.made = known, text, 0
@@ -74,7 +79,7 @@ class _Expansion:
         raise NotationError(message, self.text, node.position)
 
     def statement(self, node: Node) -> Node:
-        """Expand a statement; a term in its place is left to the check of sorts."""
+        """Expand a statement; a term in its place is left for the check of sorts."""
         match node:
             case Exists(names, body):
                 own = [
@@ -88,7 +93,7 @@ class _Expansion:
         return rebuild(node, [self.statement(x) for x in children(node)])
 
     def comparison(self, op: str, x: Node | Table, y: Node | Table, node: Node) -> Node:
-        """Compare entry by entry: all are equal; or some are not, and all are defined."""
+        """Compare entry by entry: all are equal; or all are defined and some differ."""
         if isinstance(x, Node) and isinstance(y, Node):
             return Compare(op, x, y, position=node.position)
         if op in ORDER:
@@ -166,7 +171,7 @@ class _Expansion:
         return tuple(tuple(found[n : n + 2]) for n in range(0, len(found), 2))
 
     def call(self, function: str, values: list[Node | Table], node: Node) -> Node | Table:
-        """Apply a function: entry by entry, or as it is defined for matrices."""
+        """Apply a function: entrywise, or by its definition for matrices."""
         if function == "comm" and len(values) == 2:
             x, y = values
             if not (isinstance(x, Node) and isinstance(y, Node)):
@@ -187,7 +192,7 @@ class _Expansion:
         )
 
     def binary(self, op: str, x: Node | Table, y: Node | Table, node: Node) -> Node | Table:
-        """Add, subtract or multiply; a quaternion is its multiple of the identity."""
+        """Add, subtract or multiply; a quaternion is converted to a multiple of the identity."""
 
         def joined(a: Node, b: Node) -> Node:
             self.made += 1

@@ -1,4 +1,4 @@
-"""Write statements as plain text, unicode and LaTeX."""
+"""Write statements as plain text, Unicode and LaTeX."""
 
 from fractions import Fraction
 from functools import cached_property
@@ -21,7 +21,7 @@ from hfield.syntax import (
     Power,
 )
 
-# How tightly each kind of node binds; a child that binds less tightly gets parentheses.
+# Precedence of each kind of node; a child with lower precedence gets parentheses.
 IFF, IMPLIES, OR, AND, NOT, COMPARE, SUM, PRODUCT, UNARY, POWER, POSTFIX = range(11)
 _OPERATORS = {"<=>": IFF, "=>": IMPLIES, "or": OR, "and": AND}
 _OPERATORS |= {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
@@ -74,7 +74,7 @@ SHORT_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
 
 
 def to_text(node: Node) -> str:
-    """Write ``node`` in the language itself: ``parse(to_text(node)) == node``."""
+    """Write ``node`` in the statement language: ``parse(to_text(node)) == node``."""
     return PlainTextWriter(node).write(node)
 
 
@@ -84,7 +84,7 @@ def to_unicode(node: Node) -> str:
 
 
 def to_latex(node: Node) -> str:
-    r"""Write ``node`` in LaTeX's mathematics, such as ``\overline{p \cdot q}``."""
+    r"""Write ``node`` in LaTeX math mode, such as ``\overline{p \cdot q}``."""
     return _Latex(node).write(node)
 
 
@@ -97,10 +97,10 @@ def _is_product(node: Node) -> TypeGuard[Binary]:
 
 
 class PlainTextWriter:
-    """The writer of plain text; subclasses override the form of single parts.
+    """The writer of plain text; subclasses override how single parts are written.
 
-    Where a product is written to the right of another, as in ``p·(q·r)``, all nested products get
-    their parentheses: then it is their order that the statement is about.
+    If a product is the right factor of another, as in ``p·(q·r)``, all nested products get parentheses,
+    because then the statement is about their order.
     """
 
     def __init__(self, node: Node) -> None:
@@ -109,11 +109,11 @@ class PlainTextWriter:
 
     @cached_property
     def nested(self) -> bool:
-        """Whether a right factor that is a product is parenthesised."""
+        """Whether right factors that are products are parenthesised."""
         return any(_is_product(n) and _is_product(n.right) for n in walk_once(self.root))
 
     def write(self, node: Node, floor: int = -1) -> str:
-        """Write a node, in parentheses where it binds less tightly than ``floor``."""
+        """Write a node, in parentheses if its precedence is below ``floor``."""
         if isinstance(node, Name):
             return self.name(node.name)
         if (known := self.written.get(id(node))) is None:
@@ -203,7 +203,7 @@ class PlainTextWriter:
         return f"{function}({', '.join(self.write(x) for x in arguments)})"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:
-        """Write what exists such that ``body``."""
+        """Write an existential statement."""
         return f"exists {', '.join(names)}: {body}"
 
 

@@ -1,4 +1,4 @@
-"""The setting of a statement: a field or all of them, and the structure constants."""
+"""The setting of a statement: a field, or all fields, and the structure constants."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ MAX_CONSTANT_WEIGHT = 2_000
 
 @dataclass(frozen=True)
 class Setting:
-    """A field, or None for all fields at once, and the texts of ``(a, t, b)``.
+    """A field, or None for all fields, and the texts of ``(a, t, b)``.
 
-    In these a number that the field knows in part is one call (:meth:`Ring.named_constants`).
+    In these texts each partly known number of the field is one call (:meth:`Ring.named_constants`).
 
-    ``letters`` are the names in the constants that are no generators of the field: they are scalar
-    unknowns. ``table`` is the algebra of the statement where that is given by its table; the constants are
-    then those of H, over which the coordinates are scalars.
+    ``letters`` are the names in the constants that are not generators of the field; they are scalar unknowns.
+    ``table`` is the algebra of the statement if it is given by a table; then the constants are those of H,
+    over which the coordinates are scalars.
     """
 
     field: Ring | None
@@ -67,7 +67,7 @@ class Setting:
 
     @property
     def symbol(self) -> str:
-        """The quaternion algebra as text, such as ``(-1,-1|QQ)``, with F for a field that is not named."""
+        """The quaternion algebra as text, such as ``(-1,-1|QQ)``, with F if no field is named."""
         a, t, b = (_spelled(text, self.field) for text in self.constants)
         field = UNNAMED if self.field is None else self.field.name
         if t == "0":
@@ -81,10 +81,10 @@ class Setting:
 
 
 def read_setting(field: RingName | None = None, algebra: str | None = None) -> Setting:
-    """Read the field and the algebra, each given by its text.
+    """Read the field and the algebra from their texts.
 
-    ``algebra`` may name the field itself, as in ``(-1,-3|QQ)``, or leave it open with the letter F,
-    as in ``(a,b|F)``; None stands for H. Raises :class:`NotationError` when the two disagree.
+    ``algebra`` may include the field, as in ``(-1,-3|QQ)``, or leave it open with the letter F, as in
+    ``(a,b|F)``; None stands for H. Raises :class:`NotationError` if the two disagree.
     """
     named = None if field is None else ring(field)
     if algebra is None:
@@ -93,7 +93,7 @@ def read_setting(field: RingName | None = None, algebra: str | None = None) -> S
 
 
 def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
-    """Return the setting with terms in the place of the letters of its algebra."""
+    """Return the setting with the letters of its algebra replaced by terms."""
     if not setting.letters:
         return setting
     own = {name: node for name, node in values.items() if name in setting.letters}
@@ -130,7 +130,7 @@ def _read(field: Ring | None, algebra: str) -> Setting:
 
 
 def _spelled(text: str, field: Ring | None) -> str:
-    """Return the text of a constant as people write it."""
+    """Return the text of a constant in usual notation."""
     if field is None:
         return text
     node = parse(text)
@@ -139,9 +139,9 @@ def _spelled(text: str, field: Ring | None) -> str:
 
 
 def _plain(text: str, field: Ring | None) -> str:
-    """Return the text of a constant without blanks, in the field's own spelling where it reads it.
+    """Return the text of a constant without blanks, in the field's own notation if the field reads it.
 
-    The text stays as it is if its value is inexact, undecided or undefined; the prover reports that.
+    The text is unchanged if its value is inexact, undecided or undefined; the prover reports that.
     """
     written = "".join(text.split())
     if field is None:

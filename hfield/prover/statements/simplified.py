@@ -22,7 +22,7 @@ def minus(x: Node, y: Node) -> Node:
 
 
 def times(x: Node, y: Node) -> Node:
-    """Return x·y, simplified if a factor is 0 or 1, the sign in front."""
+    """Return x·y, simplified if a factor is 0 or 1, with the sign in front."""
     if ZERO in (x, y):
         return ZERO
     if ONE in (x, y):

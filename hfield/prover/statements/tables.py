@@ -1,8 +1,8 @@
-"""Rewrite statements about an algebra by its table as statements about coordinates.
+"""Rewrite statements about an algebra given by a table as statements about coordinates.
 
-An unknown p of an algebra of dimension at most 4 becomes the coordinates ``p[0] … p[3]``; of a higher
-dimension it takes those of entries of matrices too, which stand in no such statement. What is left are
-scalars: the methods and the checker do not know of tables.
+In an algebra of dimension at most 4, an unknown p becomes the coordinates ``p[0] … p[3]``. In higher
+dimensions it also uses the names of matrix entries, which do not occur in such statements. After the
+rewriting only scalars remain, so the methods and the checker need not know tables.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def in_coordinates(
 ) -> Node:
     """Return a statement about the algebra as one about coordinates.
 
-    ``taken`` are the names that mean elements of the field. Raises :class:`NotationError` for what has no
+    ``taken`` are the names of elements of the field. Raises :class:`NotationError` for anything without a
     meaning in the algebra.
     """
     if algebra.dimension > MAX_DIMENSION:
@@ -91,14 +91,16 @@ def in_coordinates(
 
 @dataclass
 class _StatementTableWriter:
-    """One text: a term is a node, where it is a scalar, or the coordinates of an element."""
+    """The expansion of one text; the value of a term is a node if it is a scalar, else a tuple of
+    coordinates.
+    """
 
     algebra: StructureAlgebra
     blocks: Mapping[str, tuple[str, ...]]
     taken: frozenset[str]
     text: str
-    # Of a comparison: what may be undefined, and whether elements occur besides scalars. A quotient in a
-    # coordinate that is left out, being 0, makes the comparison undefined all the same.
+    # For a comparison: what may be undefined, and whether elements occur besides scalars. If a
+    # coordinate is omitted because it is 0, a quotient in it still makes the comparison undefined.
     quotients: list[Node] = field(default_factory=list)
     elements: bool = False
 
@@ -123,7 +125,7 @@ class _StatementTableWriter:
         return rebuild(node, [self.statement(x) for x in children(node)])
 
     def comparison(self, op: str, left: Node, right: Node, node: Node) -> Node:
-        """Compare coordinate by coordinate, where all that is divided by has an inverse."""
+        """Compare coordinate by coordinate, provided that all divisors are invertible."""
         if op in ORDER:
             self.fail(f"{op} is not read in an algebra by its table", node)
         self.quotients, self.elements = [], False
@@ -209,7 +211,7 @@ class _StatementTableWriter:
         return function(x) if isinstance(x, Node) else tuple(map(function, x))
 
     def power(self, x: Node | Vector, exponent: int, node: Node) -> Node | Vector:
-        """Return a power, of an element multiplied from the left on."""
+        """Return a power; a power of an element is multiplied from the left."""
         if isinstance(x, Node):
             power = Power(x, exponent, position=node.position)
             if exponent < 0:
@@ -266,7 +268,7 @@ def _times(x: Node, y: Node) -> Node:
 
 
 def _sum(terms: Sequence[Node]) -> Node:
-    """Add terms in a tree of small height."""
+    """Add terms in a balanced tree."""
     if len(terms) > 2:
         half = len(terms) // 2
         return Binary("+", _sum(terms[:half]), _sum(terms[half:]))

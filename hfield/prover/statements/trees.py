@@ -56,12 +56,12 @@ def names_in(node: Node) -> frozenset[str]:
 
 
 def occurrences(node: Node, name: str) -> int:
-    """Return how often a name stands in a tree."""
+    """Return the number of times that a name occurs in a tree."""
     return sum(isinstance(n, Name) and n.name == name for n in walk(node))
 
 
 def divides_in(node: Node) -> bool:
-    """Return whether something in a tree may be undefined: a quotient, an inverse, a decimal."""
+    """Return whether some part of a tree may be undefined: a quotient, an inverse, a decimal."""
     for n in walk(node):
         match n:
             case Number(Fraction()) | Binary("/", _, _) | Call("inv", _):
@@ -72,7 +72,7 @@ def divides_in(node: Node) -> bool:
 
 
 def substitute(node: Node, terms: Mapping[str, Node]) -> Node:
-    """Return ``node`` with each name in ``terms`` replaced; what "exists" binds stays."""
+    """Return ``node`` with each name in ``terms`` replaced; names bound by "exists" are kept."""
     if isinstance(node, Name):
         return terms.get(node.name, node)
     if isinstance(node, Exists):
@@ -112,7 +112,7 @@ def taken_apart(node: Node) -> tuple[tuple[Node, ...], Node]:
 
 
 def quaternion_node(coordinates: Sequence[str]) -> Node:
-    """Return the tree of ``c0 + c1·i + c2·j + c3·k`` for the texts of the coordinates, or of a scalar."""
+    """Return the tree of ``c0 + c1·i + c2·j + c3·k`` for texts of coordinates, or the tree of a scalar."""
     if len(coordinates) == 1:
         return parse(coordinates[0])
     out: Node | None = None

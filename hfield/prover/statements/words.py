@@ -1,13 +1,13 @@
 """Expand the words ``dot``, ``cross``, ``abs`` and the comparisons ``>= > <= <`` by their definitions.
 
-They are expanded before anything is decided, so the methods need not know them. Comparisons and moduli are
+They are expanded before a statement is decided, so the methods need not know them. Comparisons and moduli are
 interpreted in the real closure of the ordered field, where the nonnegative elements are the squares:
 
 * ``abs(q)`` is the only number m² with m⁴ = norm(q).
 * ``x >= 0``, as a claim, means: x = 0, or x ≠ −z² for all z. As a hypothesis it means x = z² for some z.
 * ``x > 0``, as a claim, means: x ≠ −z² for all z. As a hypothesis it means x = z² for some z ≠ 0.
 
-m and z are coordinates of new unknowns, over which the whole statement is quantified universally.
+m and z are coordinates of new unknowns, which are universally quantified.
 """
 
 from __future__ import annotations
@@ -85,9 +85,9 @@ def without_words(
     text: str,
     is_scalar: Callable[[Node], bool],
 ) -> Node:
-    """Return a statement that says the same without these words.
+    """Return an equivalent statement without these words.
 
-    Moduli are defined where the norm is never negative: in H, if ``hamilton``. ``is_scalar`` tells whether a
+    Moduli are defined if the norm is never negative: in H, if ``hamilton``. ``is_scalar`` tests whether a
     term without these words is a scalar. Raises :class:`NotationError`.
     """
     need_order(node, field, text)
@@ -123,7 +123,7 @@ class _StatementWriter:
         raise NotationError(message, self.text, node.position)
 
     def statement(self, node: Node, claimed: bool) -> Node:
-        """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
+        """Expand a statement, as a claim or, unless ``claimed``, as a hypothesis."""
         match node:
             case Compare(op, left, right):
                 x, y = self.term(left), self.term(right)
@@ -144,7 +144,7 @@ class _StatementWriter:
         return self.term(node)
 
     def order(self, node: Compare, left: Node, right: Node, claimed: bool) -> Node:
-        """Write out a comparison of scalars by squares."""
+        """Expand a comparison of scalars, by squares."""
         self.need_no_quantifier(node.op, node)
         for side in (left, right):
             if not self.is_scalar(side):
@@ -163,7 +163,7 @@ class _StatementWriter:
         return Logic("or", Compare("==", x, ZERO), not_negative)
 
     def term(self, node: Node) -> Node:
-        """Write out a term."""
+        """Expand a term."""
         written = rebuild(node, [self.term(x) for x in children(node)])
         if not isinstance(written, Call) or written.function not in ARGUMENTS:
             return written
@@ -195,7 +195,7 @@ class _StatementWriter:
             self.fail(f"a statement cannot have both {word} and 'exists'", node)
 
     def helper(self, node: Node) -> Node:
-        """Return a scalar that is new in the statement."""
+        """Return a new scalar unknown."""
         if not self.free:
             self.fail(f"a statement has at most {len(HELPERS)} moduli and comparisons", node)
         return Index(Name(self.free.pop(0)), 0)

@@ -1,6 +1,6 @@
 """The implementations that the benchmark measures: this package, other libraries, plain numpy, the thesis.
 
-Preparations that are independent of the angles, such as a memory layout or lists, are made before the first
+Preparations that do not depend on the angles, such as a memory layout or lists, are made before the first
 frame and not timed. Computations that depend on the angles of the frame are timed.
 """
 

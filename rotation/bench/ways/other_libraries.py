@@ -10,7 +10,7 @@ from rotation.bench.ways.way import FrameFunction, Way
 
 
 def _rotation_vectors(task: Task, frame: int) -> Array:
-    """Return axes of length 1 times their angles: all three libraries take these."""
+    """Return unit axes times their angles; all three libraries accept rotation vectors."""
     lengths = np.sqrt(np.einsum("ij,ij->i", task.axes, task.axes))
     angles = task.angles[frame : frame + len(task.points)]
     vectors: Array = task.axes * (angles / lengths)[:, None]
@@ -61,7 +61,7 @@ def _quaternionic_own_axis(task: Task) -> FrameFunction:
 
 
 def _quaternionic_euler(task: Task) -> FrameFunction:
-    """Rotate by three quaternions, since ``from_euler_angles`` supports ZYZ only."""
+    """Rotate by three quaternions, since ``from_euler_angles`` supports only ZYZ."""
     import quaternionic
 
     points = quaternionic.array.from_vector_part(task.points)
@@ -101,7 +101,7 @@ def _numpy_quaternion_own_axis(task: Task) -> FrameFunction:
 
 
 def _numpy_quaternion_euler(task: Task) -> FrameFunction:
-    """Rotate by three quaternions, since ``from_euler_angles`` supports ZYZ only."""
+    """Rotate by three quaternions, since ``from_euler_angles`` supports only ZYZ."""
     import quaternion
 
     points = quaternion.from_vector_part(task.points)
@@ -116,7 +116,7 @@ def _numpy_quaternion_euler(task: Task) -> FrameFunction:
 
 
 def _rotors(task: Task) -> list[Array]:
-    """Return the quaternions about z, y and x, scalar first, of the Euler angles (n, 3)."""
+    """Return the quaternions of rotations about z, y and x, scalar first, for Euler angles (n, 3)."""
     half = task.points / 2
     c, s = np.cos(half), np.sin(half)
     rotors = [np.zeros((len(half), 4)) for _ in range(3)]

@@ -1,4 +1,4 @@
-"""Rotate points with the functions of this package, into an array that exists already."""
+"""Rotate points with the functions of this package, into an existing array."""
 
 from __future__ import annotations
 

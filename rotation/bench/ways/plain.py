@@ -1,4 +1,4 @@
-"""Plain numpy: a copy of the points, as a lower bound of the time, and the arithmetic on whole arrays."""
+"""Plain numpy: a copy of the points, as a lower bound for the time, and arithmetic on whole arrays."""
 
 from __future__ import annotations
 
@@ -31,7 +31,9 @@ def _one_axis(task: Task) -> FrameFunction:
 
 
 def _own_axis(task: Task) -> FrameFunction:
-    """Rodrigues' formula, component by component: several times faster than ``np.cross``."""
+    """Rotate by Rodrigues' formula, component by component, which is several times faster than
+    ``np.cross``.
+    """
     x, y, z = np.ascontiguousarray(task.points.T)
     out = np.empty_like(task.points)
     axes = np.ascontiguousarray(task.axes.T)

@@ -1,4 +1,4 @@
-"""The implementation of the thesis (3.1): point by point on lists of three."""
+"""The implementation of the thesis (3.1): point by point, with lists of three numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Read functions of a user from a file and wrap them as ways to rotate."""
+"""Read a user's functions from a file and wrap them as implementations."""
 
 from __future__ import annotations
 
@@ -34,9 +34,10 @@ class OwnFileError(RotationError):
 
 
 def own_way(name: str, function: Function) -> Way:
-    """Return an implementation by a user's function; see :func:`rotation.benchmark`.
+    """Return an implementation that calls a user's function; see :func:`rotation.benchmark`.
 
-    With the parameters ``points, angles`` it does the matrix test, otherwise the tests with axes.
+    A function with the parameters ``points, angles`` does the matrix test; other functions do the tests with
+    axes.
     """
     kinds = KINDS.get(_parameters(function), KINDS[AXIS])
     return Way(name, "own", "rotation", "", "new", dict.fromkeys(kinds, partial(_frames, function)))
@@ -54,7 +55,7 @@ def _frames(function: Function, task: Task) -> FrameFunction:
 
 
 def _read_only(array: Array) -> Array:
-    """Return a read-only view, since other implementations read the same memory."""
+    """Return a read-only view, because other implementations read the same memory."""
     view = array.view()
     view.flags.writeable = False
     return view
@@ -70,7 +71,7 @@ def _parameters(function: Function) -> tuple[str, ...]:
 
 
 def functions_of(path: Path) -> dict[str, Function]:
-    """Run a file and return by name its functions with the parameters of an implementation.
+    """Run a file and return, by name, its functions with the parameters of an implementation.
 
     Raises :class:`OwnFileError`, which names the line.
     """
@@ -125,7 +126,9 @@ def definition_of(function: Function) -> tuple[str, int]:
 
 
 def failure(error: BaseException, file: str, what: str = "") -> str:
-    """Return the text of an error, with the last line of ``file`` in its traceback, or else the last line."""
+    """Return the text of an error, with the last line of ``file`` in its traceback, or else with the last
+    line.
+    """
     frames = extract_tb(error.__traceback__)
     frame = ([frame for frame in frames if frame.filename == file] or frames)[-1]
     said = "".join(f": {line}" for line in str(error).splitlines()[:1])

@@ -1,4 +1,4 @@
-"""The type of a way to rotate, for the benchmark."""
+"""The type of an implementation in the benchmark."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class Way:
     """One implementation; ``makes`` maps each supported kind of task to its preparation.
 
     ``module`` and ``distribution`` are the names under which the library is imported and installed.
-    ``writes`` tells where a frame goes: into memory that is there already, or into a new array.
-    ``slow`` ways are timed on a part of the points.
+    ``writes`` says whether a frame is written to existing memory or to a new array. ``slow`` implementations
+    are timed on a subset of the points.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""Count the elements with a property, by formulas and one by one."""
+"""Count elements with a property, by formula or by enumeration."""

@@ -1,6 +1,6 @@
-"""The kinds of elements that are counted: the one list for formulas, exhaustive counts, methods and tables.
+"""The kinds of elements that can be counted: one list for formulas, enumeration, methods and tables.
 
-A new kind is a line here, its formulas in ``formulas_finite`` and a field of ``tally.Tally``.
+To add a kind, add a line here, its formulas in ``formulas_finite`` and a field of ``tally.Tally``.
 """
 
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from hfield.errors import CoercionError
 
 
 class CountedKind(NamedTuple):
-    """A kind of elements: its name, other words for it, and the scalar on which it depends, if it does."""
+    """A kind of elements: its name, synonyms, and the scalar parameter, if it has one."""
 
     name: str
     words: tuple[str, ...] = ()
@@ -36,7 +36,7 @@ _BY_WORD = {word: kind for kind in KINDS.values() for word in (kind.name, *kind.
 
 
 def counted_kind(word: str) -> CountedKind:
-    """Return the kind with a name, in singular or plural. Raises :class:`CoercionError` if there is none."""
+    """Return the kind with a name (singular or plural). Raises :class:`CoercionError` if there is none."""
     kind = _BY_WORD.get(word)
     if kind is None:
         raise CoercionError(f"there is no count of {word!r}: expected one of {', '.join(KINDS)}")

@@ -1,15 +1,16 @@
-"""Formulas for the numbers of elements over GF(q) and ℤ/n: of norm n, nilpotent, idempotent, roots, units.
+"""Formulas over GF(q) and ℤ/n for the numbers of units, nilpotents, idempotents, roots and elements of norm
+n.
 
-Everything follows from how many elements have a given norm, alone or with trace 0 or 1, because an
-element satisfies ``x² = tr(x)·x − N(x)``: it is nilpotent when both are 0, idempotent when it is 0, 1 or has
-trace 1 and norm 0, and squares to s when it is a scalar root of s or has trace 0 and norm −s.
-The formulas cover every (a, t, b), degenerate ones and characteristic 2 included.
+All counts follow from the number of elements with a given norm, alone or with trace 0 or 1, because an
+element satisfies ``x² = tr(x)·x − N(x)``. It is nilpotent if trace and norm are 0. It is idempotent if it is
+0 or 1, or has trace 1 and norm 0. Its square is s if it is a scalar root of s, or has trace 0 and norm −s.
+The formulas hold for every (a, t, b), including degenerate algebras and characteristic 2.
 
-Over ℤ/n they are products over the prime powers of n, by the Chinese remainder theorem. Modulo pᵏ, units and
-nilpotents are those of the algebra over GF(p) times ``p⁴⁽ᵏ⁻¹⁾``; an idempotent other than 0 and 1 has
-``p²⁽ᵏ⁻¹⁾`` lifts, all conjugate, for its centraliser has rank 2; and solutions of quadratic equations are
-counted by Hensel's lemma where the form has a coordinate that is a unit with a unit in front, and by dividing
-by p where it has none. Nothing is enumerated but residues modulo 8.
+Over ℤ/n the counts are products over the prime powers of n, by the Chinese remainder theorem. Modulo pᵏ, the
+numbers of units and nilpotents are those over GF(p) times ``p⁴⁽ᵏ⁻¹⁾``. An idempotent other than 0 and 1 has
+``p²⁽ᵏ⁻¹⁾`` lifts, all conjugate, because its centraliser has rank 2. Solutions of quadratic equations are
+counted by Hensel's lemma if some coordinate with a unit coefficient is a unit; otherwise both sides are
+divided by p. Only residues modulo 8 are enumerated.
 """
 
 from collections.abc import Sequence
@@ -29,7 +30,7 @@ from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
 
 
 class Count(NamedTuple):
-    """A number and the formula in q that gave it."""
+    """A number, and the formula in q from which it was computed."""
 
     value: int
     formula: str
@@ -46,8 +47,8 @@ def count(ring: Ring, c: Constants, kind: str, value: object = None) -> Count:
     """Return the number of elements of one of the kinds in ``counted_kinds``, by closed formula.
 
     ``value`` is the norm (default 0) or the scalar whose square roots are counted (default 1). Raises
-    :class:`NotFiniteError` unless the ring is a finite field or ℤ/n, :class:`CoercionError` for a kind that
-    does not exist, and :class:`UndecidedError` for an n that cannot be factored.
+    :class:`NotFiniteError` unless the ring is a finite field or ℤ/n, :class:`CoercionError` for an unknown
+    kind, and :class:`UndecidedError` for an n that cannot be factored.
     """
     if not has_formulas(ring):
         raise NotFiniteError(
@@ -130,7 +131,7 @@ def _norm(ring: Ring, shape: _Shape, q: int, n: Scalar) -> Count:
 
 
 def count_trace_and_norm(ring: Ring, c: Constants, t: Scalar, n: Scalar) -> int:
-    """Return how many elements of an algebra over a finite field have trace t and norm n."""
+    """Return the number of elements of trace t and norm n in an algebra over a finite field."""
     assert ring.order is not None
     shape, q = _shape(ring, c), int(ring.order)
     if ring.characteristic != 2:
@@ -180,7 +181,7 @@ LARGEST_EXPONENT = 64
 
 
 class CountingFormula(NamedTuple):
-    """``Σ d·x² + Σ c·(y² + t·yz − a·z²)`` modulo p^k; the second kind only where p = 2 and t is odd."""
+    """The form ``Σ d·x² + Σ c·(y² + t·yz − a·z²)`` modulo pᵏ; the second sum only for p = 2 and odd t."""
 
     p: int
     unary: tuple[int, ...]
@@ -201,9 +202,9 @@ class CountingFormula(NamedTuple):
 def solutions(form: CountingFormula, k: int, v: int) -> int:
     """Return the number of representations of v by the form modulo pᵏ.
 
-    A solution in which a variable with a unit in front is a unit lifts from p to pᵏ (from 8 to 2ᵏ)
-    in ``p^((k−1)(r−1))`` ways for r variables. In the others all these variables are multiples of p, and so
-    is v: then everything is divided by p.
+    A solution lifts from p to pᵏ (from 8 to 2ᵏ) in ``p^((k−1)(r−1))`` ways, for r variables, if some variable
+    with a unit coefficient is a unit. In the other solutions all these variables are multiples of p, and so
+    is v; then everything is divided by p.
     """
     p, r = form.p, form.variables
     start = 3 if p == 2 else 1
@@ -226,7 +227,7 @@ def solutions(form: CountingFormula, k: int, v: int) -> int:
 
 
 def _smooth(form: CountingFormula, v: int) -> int:
-    """Count the solutions modulo p, or 8, in which a variable with a unit in front is a unit."""
+    """Count the solutions modulo p, or 8, in which some variable with a unit coefficient is a unit."""
     p = form.p
     if p == 2:
         even = form.over(
@@ -258,7 +259,7 @@ def _legendre(x: int, p: int) -> int:
 
 
 def _values(form: CountingFormula, modulus: int) -> list[int]:
-    """Return how often each residue is a value of the form, modulo 2, 4 or 8."""
+    """Return the number of times that each residue is a value of the form, modulo 2, 4 or 8."""
     parts = []
     for d in form.unary:
         parts.append([d * x * x for x in range(modulus)])
@@ -282,8 +283,8 @@ def _values(form: CountingFormula, modulus: int) -> list[int]:
 def _modulo_prime_powers(ring: Ring, c: Constants, kind: str, value: int) -> list[int]:
     """Return the counts modulo the prime powers of n, whose product is the count over ℤ/n.
 
-    Raises :class:`UndecidedError` where n cannot be factored, and :class:`TooLargeError` for square roots
-    modulo pᵏ with k beyond :data:`LARGEST_EXPONENT`.
+    Raises :class:`UndecidedError` if n cannot be factored, and :class:`TooLargeError` for square roots modulo
+    pᵏ with k beyond :data:`LARGEST_EXPONENT`.
     """
     a, t, b = (int(x) for x in c)
     parts = []
@@ -306,7 +307,7 @@ def _modulo_prime_powers(ring: Ring, c: Constants, kind: str, value: int) -> lis
 
 
 def _norm_form(p: int, k: int, a: int, t: int, b: int) -> CountingFormula:
-    """Return the norm form, diagonal where the square of i − t/2 can be completed."""
+    """Return the norm form, diagonal if the square of i − t/2 can be completed."""
     if p == 2 and t % 2:
         return CountingFormula(p, (), (1, -b), t, a)
     a = _completed(p, k, a, t)
@@ -320,10 +321,11 @@ def _completed(p: int, k: int, a: int, t: int) -> int:
 
 
 def _roots(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
-    """Count the square roots of s modulo pᵏ, for t even or p odd, when t = 0 may be assumed.
+    """Count the square roots of s modulo pᵏ, for t even or p odd, where t = 0 may be assumed.
 
-    ``(w + v)² = w² + v² + 2w·v`` for a vector v of trace 0. If v is pᵐ times a primitive one, pʰ divides w
-    with ``h = k − m``, or one less for p = 2; vectors that are not primitive are pᵐ⁺¹ times any.
+    ``(w + v)² = w² + v² + 2w·v`` for a vector v of trace 0. If v is pᵐ times a primitive vector, then pʰ
+    divides w with ``h = k − m``, or one less for p = 2. Vectors that are not primitive are pᵐ⁺¹ times
+    arbitrary ones.
     """
     a = _completed(p, k, a, t)
     total = 0
@@ -340,9 +342,9 @@ def _roots(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
 def _roots_odd_trace(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
     """Count the square roots of s modulo 2ᵏ for odd t.
 
-    For ``q = w + xi + β·j`` with trace ``T = 2w + tx``, q² = s says ``Tβ = 0``, ``T(T − 2w) = 0`` and
-    ``D·w² − a·T² + t²b·N(β) = t²s`` with ``D = t² + 4a``. With T = 2ʲτ, τ odd, it is ``β = 2ᵏ⁻ʲγ`` and
-    ``w = 2ʲ⁻¹τ + 2ᵏ⁻ʲ⁻¹u``, and the last equation has no mixed terms but ``2ᵏ⁻¹u``.
+    For ``q = w + xi + β·j`` with trace ``T = 2w + tx``, the equation q² = s means ``Tβ = 0``, ``T(T − 2w) =
+    0`` and ``D·w² − a·T² + t²b·N(β) = t²s`` with ``D = t² + 4a``. With T = 2ʲτ, τ odd, this gives ``β =
+    2ᵏ⁻ʲγ`` and ``w = 2ʲ⁻¹τ + 2ᵏ⁻ʲ⁻¹u``, and the only mixed term of the last equation is ``2ᵏ⁻¹u``.
     """
     d, u, goal = t * t + 4 * a, t * t, t * t * s
     total = solutions(CountingFormula(p, (d,), (u * b,), t, a), k, goal)  # T = 0

@@ -1,8 +1,8 @@
-"""Counting by enumerating all elements of an algebra over a finite ring, four coordinates at a time.
+"""Count all elements of an algebra over a finite ring by enumeration, four coordinates at a time.
 
-All elements with the first coordinate fixed go through at once: through compiled loops where they are many
-and the ring has some, else through tables of the ring's sums and products, which numpy looks up. Both ways
-the product is the one formula of :mod:`hfield.core.product`.
+All elements with a fixed first coordinate are computed at once: by compiled loops if there are many and the
+ring has loops, otherwise from tables of the ring's sums and products with numpy. Both use the product formula
+of :mod:`hfield.core.product`.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class RingTables:
         return np.array(rows, dtype=np.int32).ravel()
 
     def of(self, x: Scalar) -> Indices:
-        """Return an element as an index that mixes with arrays of indices."""
+        """Return an element as an index, which can be combined with arrays of indices."""
         import numpy as np
 
         return Indices(self, np.int32(self.index[self.ring.key(x)]))
@@ -152,7 +152,7 @@ def tally(ring: Ring, c: Constants) -> Tally:
 
 
 class _ByTables:
-    """Norms and squares of elements given by indices, looked up in tables."""
+    """Norms and squares of elements given by indices, from tables."""
 
     dtype = "i4"
 
@@ -176,7 +176,7 @@ class _ByTables:
 
 
 class _ByLoops:
-    """Norms and squares of elements given by labels, which are indices, computed."""
+    """Norms and squares of elements given by labels, which serve as indices, by compiled loops."""
 
     def __init__(self, how: LabelArrays) -> None:
         self.how, self.dtype = how, how.dtype
@@ -191,7 +191,7 @@ class _ByLoops:
 
 
 def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
-    """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
+    """Return the compiled loops of an algebra, or None if the ring does not list its elements by labels."""
     from hfield.fields.base.array_storage.labels import LabelArrays
 
     how = ring.array_storage(c)
@@ -201,7 +201,7 @@ def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
 def confirm(ring: Ring, c: Constants) -> Tally:
     """Compare the closed formulas with an exhaustive count; return the count.
 
-    Raises :class:`AssertionError` where they differ, which would be an error of this package.
+    Raises :class:`AssertionError` if they differ, which would be an error in this package.
     """
     found = tally(ring, c)
     for kind in KINDS.values():

@@ -7,8 +7,8 @@ Write q = w + v with 2w = tr(q). Then v² = s is a scalar and q lies in the comm
 - f(w) + v·f′(w)                    where s = 0,
 - the mean of f(w + φ) and f(w − φ), plus v times their difference over 2φ, where s > 0.
 
-Over RDF numpy computes f, of arrays too (:mod:`.float_functions`); over RR the values are exact. Over rings
-with cosines and sines of angles the angle of a polar form is a sum of multiples of those angles and of π.
+Over RDF numpy computes f, also of arrays (:mod:`.float_functions`); over RR the values are exact. Over rings
+with cosines and sines of angles, the angle of a polar form is a rational combination of those angles and π.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class RealFunctions(Generic[E]):
         return self.ring.functions()[name]
 
     def angle(self, y: E, x: E) -> E:
-        """Return the angle of the point (x, y), which must be a rational multiple of π."""
+        """Return the angle of the point (x, y); it must be a rational multiple of π."""
         import sympy
 
         from hfield.fields.algebraic.closed_forms import to_sympy
@@ -99,7 +99,7 @@ def exact_value(
     slope: Callable[[E], E],
     complex_parts: Callable[[E, E], tuple[E, E]],
 ) -> Coordinates[E]:
-    """Return f(q) over RR, from f(w), f′(w), and the real and imaginary part of f(w + iφ)."""
+    """Return f(q) over RR, from f(w), f′(w), and the real and imaginary parts of f(w + iφ)."""
     w, v, s = parts(ring, c, q)
     sign = ring.sign(s)
     if sign == 0:
@@ -115,7 +115,7 @@ def exact_value(
 
 
 def modulus(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> E:
-    """Return ``|q| = √N(q)``, the nonnegative root, of an array elementwise (Definition 2).
+    """Return ``|q| = √N(q)``, the nonnegative root, elementwise on arrays (Definition 2).
 
     Raises :class:`NoSolutionError` where the norm has no root in the base ring, and :class:`RingError`
     over a ring without an ordering.
@@ -142,13 +142,13 @@ def modulus(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> E:
 
 
 def positive(ring: Ring[E], x: E) -> bool:
-    """Return whether x ≥ 0; among functions of angles, where all angles are small and positive."""
+    """Return whether x ≥ 0; for functions of angles, whether x ≥ 0 for all small positive angles."""
     sign: Callable[[E], int] = getattr(ring, "sign_near_zero", ring.sign)
     return sign(x) >= 0
 
 
 def polar(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> PolarForm[E]:
-    """Return r, n and θ with ``q = r·(cos θ + n·sin θ)`` and ``n² = −1``; n of a scalar is i, j or k.
+    """Return r, n and θ with ``q = r·(cos θ + n·sin θ)`` and ``n² = −1``; for a scalar, n is i, j or k.
 
     Raises :class:`NoSolutionError` where v² > 0, or v ≠ 0 and v² = 0.
     """
@@ -178,7 +178,7 @@ def has_angles(ring: Ring[E]) -> TypeIs[WithAngles[E]]:
 def _polar_with_angles(
     ring: WithAngles[E], c: Constants[E], of: tuple[E, Coordinates[E], E], r: E
 ) -> PolarForm[E]:
-    """Return the polar form; where all angles are small and positive, θ lies in [0, π], as over RR."""
+    """Return the polar form; for small positive angles θ lies in [0, π], as over RR."""
     w, v, s = of
     if ring.is_zero(r):
         raise NoSolutionError("there is no polar form of an element of norm 0")
@@ -225,7 +225,7 @@ def _axis(ring: Ring[E], c: Constants[E]) -> Coordinates[E]:
 
 
 def cosine_and_sine(ring: Ring, angle: object) -> tuple[Scalar, Scalar]:
-    """Return cos and sin of an angle in radians, over RDF of an array too."""
+    """Return cos and sin of an angle in radians; over RDF the angle may be an array."""
     if has_angles(ring):
         return ring.cosine_and_sine_of(angle)
     if ring.is_exact:
@@ -242,7 +242,7 @@ def cosine_and_sine(ring: Ring, angle: object) -> tuple[Scalar, Scalar]:
 
 
 def exp(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
-    """Return the sum of ``qⁿ/n!``, in Hamilton's algebra ``eʷ·(cos φ + n·sin φ)`` for q = w + φ·n."""
+    """Return the sum of ``qⁿ/n!``; in Hamilton's algebra ``eʷ·(cos φ + n·sin φ)`` for q = w + φ·n."""
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
 
@@ -268,7 +268,7 @@ def exp(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
 def log(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
     """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π).
 
-    Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
+    Raises :class:`NoSolutionError` for 0, for negative scalars, and if q has a negative real eigenvalue.
     """
     if over_floats(ring):
         from hfield.algebra.structure.elements import float_functions
@@ -292,7 +292,7 @@ def log(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
 
 
 def sqrt(ring: Ring[E], c: Constants[E], q: Coordinates[E]) -> Coordinates[E]:
-    """Return the principal root: of trace > 0, or 0 for 0. Raises :class:`NoSolutionError`."""
+    """Return the principal root, which has positive trace or is 0. Raises :class:`NoSolutionError`."""
     if over_floats(ring):
         return power(ring, c, q, 0.5)
     if all(map(ring.is_zero, q)):

@@ -1,9 +1,9 @@
-"""Functions of quaternions of floats: modulus, polar form, exponential, logarithm, root and power.
+"""Functions of float quaternions: modulus, polar form, exponential, logarithm, root and power.
 
 A batch is computed in blocks that fit the processor's cache; a single element is a block of one. As in
-:mod:`.analysis`, q = w + v with tr(v) = 0, v² = s and φ = √|s|. Then ``f(q) = even + odd·v`` with numbers
-``even`` and ``odd``, which a function computes. The errors, in units of 2⁻⁵², are in
-docs/reference/algebras.md; scripts/measure_float_functions.py measures them.
+:mod:`.analysis`, q = w + v with tr(v) = 0, v² = s and φ = √|s|. Then ``f(q) = even + odd·v`` with scalars
+``even`` and ``odd`` that depend on f. The errors, in units of 2⁻⁵², are listed in docs/reference/algebras.md;
+scripts/measure_float_functions.py measures them.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ SAFE_NORMS = 1e-290, 1e290  # between these, sums of squares have no underflow a
 
 
 class FloatFunction(NamedTuple):
-    """A function f that is real on the real line, where it is defined; elsewhere it gives NaN.
+    """A function f that is real where it is defined on the real line; elsewhere it returns NaN.
 
-    ``slope`` is f′. ``circular`` maps w, φ > 0 and φ² to the real part of f(w + iφ), and to the imaginary
-    part over φ.
+    ``slope`` is f′. ``circular`` maps w, φ > 0 and φ² to the real part of f(w + iφ) and its imaginary part
+    divided by φ.
     """
 
     noun: str
@@ -55,7 +55,7 @@ class FloatFunction(NamedTuple):
 
 
 def parts(c: Constants, q: Sequence[Number]) -> tuple[Number, Number | None, Number]:
-    """Return w, half the trace of i times x or None for 0, and s."""
+    """Return w, half the trace of i times x (None if it is 0), and s."""
     a, t, b = c
     w, x, y, z = q
     if c == HAMILTON:
@@ -70,7 +70,7 @@ def _any(flags: bool | np.ndarray) -> bool:
 
 
 def _is_safe(total: Number) -> bool:
-    """Return whether sums of squares were computed without underflow and overflow."""
+    """Return whether sums of squares were computed without underflow or overflow."""
     if isinstance(total, float):
         return SAFE_NORMS[0] < total < SAFE_NORMS[1]
     return bool(SAFE_NORMS[0] < total.min(initial=1.0) and total.max(initial=1.0) < SAFE_NORMS[1])
@@ -83,7 +83,9 @@ def _length(w: Number, phi: Number, square: Number) -> Number:
 
 
 def _even_and_odd(f: FloatFunction, c: Constants, q: Sequence[Number]) -> tuple[Number, ...]:
-    """Return the result of :func:`parts`, ``even`` and ``odd``; these are not finite if there is no value."""
+    """Return the result of :func:`parts`, ``even`` and ``odd``; the latter are not finite if there is no
+    value.
+    """
     w, middle, s = parts(c, q)
     if isinstance(s, float):
         return w, middle, s, *_of_one(f, w, s, not any(q[1:]))
@@ -119,7 +121,7 @@ def _compiled(kernel: ArrayProgram, c: Constants, q: Coordinates) -> Rows | None
 
 
 def value(ring: Ring, c: Constants, q: Coordinates, f: FloatFunction) -> Coordinates:
-    """Return f(q), of arrays elementwise. Raises :class:`NoSolutionError` where there is no value."""
+    """Return f(q), elementwise on arrays. Raises :class:`NoSolutionError` where f has no value."""
     constants = Constants(*map(float, c))
     if f is SQRT and is_batch(q):
         found = _compiled(ROOT, constants, q)
@@ -194,7 +196,7 @@ def _exp(w: Number, phi: Number, square: Number) -> tuple[Number, Number]:
 
 def _log(w: Number, phi: Number, square: Number) -> tuple[Number, Number]:
     total = w * w + square
-    real = np.log1p((w - 1) * (w + 1) + square) / 2  # of total − 1, right also where that is small
+    real = np.log1p((w - 1) * (w + 1) + square) / 2  # of total − 1, accurate also if that is small
     far = total < 0.5
     if _any(far):
         real = np.where(far, np.log(total) / 2, real)
@@ -237,7 +239,7 @@ def power_function(exponent: float | Fraction) -> FloatFunction:
 
 
 def _root(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]:
-    """Return the principal square root in Hamilton's algebra, as :func:`_sqrt` finds it."""
+    """Return the principal square root in Hamilton's algebra, by the method of :func:`_sqrt`."""
     half, square = doubles.constant(w, 0.5), x * x + y * y + z * z
     doubles.flag_unless_between(square, *SAFE_NORMS)
     total = w * w + square
@@ -281,7 +283,7 @@ def modulus(c: Constants, q: Coordinates) -> Number:
 
 
 def _scaled_modulus(c: Constants, q: Array) -> Array:
-    """Return the moduli of quaternions, the columns of q, whose norms leave the range of floats."""
+    """Return the moduli of quaternions, the columns of q, whose norms overflow or underflow."""
     scale = np.abs(q).max(axis=0)
     scale[scale == 0] = 1.0
     w, x, y, z = q / scale
@@ -295,9 +297,9 @@ def _scaled_modulus(c: Constants, q: Array) -> Array:
 def polar(
     c: Constants, q: Coordinates, axis: Callable[[], Coordinates]
 ) -> tuple[Number, Coordinates, Number]:
-    """Return modulus, axis and angle in [0, π]; ``axis`` gives that of scalars.
+    """Return modulus, axis and angle in [0, π]; ``axis`` is the axis for scalars.
 
-    Raises :class:`NoSolutionError` where v is not 0 and has no negative square.
+    Raises :class:`NoSolutionError` if v is not 0 and v² is not negative.
     """
     constants = Constants(*map(float, c))
 

@@ -1,4 +1,4 @@
-"""Decide whether an element is nilpotent, idempotent, a unit, or a conjugate of another."""
+"""Decide whether an element is nilpotent, idempotent, a unit, or conjugate to another."""
 
 import itertools
 
@@ -20,9 +20,10 @@ def characteristic_polynomial(
 
 
 def is_nilpotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
-    """Return whether a power of q is 0: whether its trace and norm are nilpotent in the ring.
+    """Return whether a power of q is 0, which holds if and only if its trace and norm are nilpotent in the
+    ring.
 
-    From ``q² = tr(q)·q − N(q)`` in one direction, and modulo every prime ideal in the other.
+    One direction follows from ``q² = tr(q)·q − N(q)``, the other by reducing modulo every prime ideal.
     """
     return all(_nilpotent_scalar(ring, x) for x in (trace(c, q), norm(c, q)))
 
@@ -50,11 +51,11 @@ def is_unit(ring: Ring, c: Constants, q: Coordinates) -> bool:
 
 
 def conjugacy(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Verdict[Coordinates]:
-    """Return whether there is a unit x with ``x·p = q·x``, the witness. The ring must be a field.
+    """Return whether there is a unit x with ``x·p = q·x``, with such an x. The ring must be a field.
 
-    The solutions are a linear space. The norm is a quadratic form on it, and one that vanishes on a
-    basis and on the sums of two basis vectors is 0, so there is no more to try. In a central simple algebra
-    there is one whenever p and q have the same minimal polynomial (Skolem and Noether).
+    The solutions form a linear space, and the norm is a quadratic form on it. If the form vanishes on a basis
+    and on the sums of two basis vectors, it is 0; so only these are tried. In a central simple algebra there
+    is a unit whenever p and q have the same minimal polynomial (Skolem and Noether).
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.no_field}: conjugacy is decided over fields only")

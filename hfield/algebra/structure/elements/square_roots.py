@@ -19,7 +19,7 @@ from hfield.fields.quadratic_forms.normal_forms import (
 
 @dataclass(frozen=True)
 class RootCoordinates:
-    """The square roots of an element: all of them in ``isolated``, unless ``quadric`` is not None.
+    """The square roots of an element: those in ``isolated``, and more if ``quadric`` is not None.
 
     In that case the element is a scalar s, ``quadric`` is one root of trace 0, and the roots are the
     isolated ones and all elements of trace 0 and norm −s.
@@ -36,9 +36,9 @@ class RootCoordinates:
 def square_roots(ring: Ring, c: Constants, q: Coordinates) -> RootCoordinates:
     """Return the square roots of an element, each verified by squaring. The ring must be a field.
 
-    For a root x of trace T and norm n, ``T·x = q + n``, ``n² = N(q)`` and ``T² = tr(q) + 2n``. Where q is no
-    scalar, T is not 0 and this gives all of them. Raises :class:`UndecidedError` where the ring
-    does not decide square roots, or whether an element of given trace and norm exists.
+    For a root x of trace T and norm n, ``T·x = q + n``, ``n² = N(q)`` and ``T² = tr(q) + 2n``. If q is not a
+    scalar, T is not 0 and these equations give all roots. Raises :class:`UndecidedError` if the ring does not
+    decide square roots, or whether an element of given trace and norm exists.
     """
     if not ring.is_field:
         raise UndecidedError(f"{ring.no_field}: square roots are found over fields only")
@@ -68,7 +68,7 @@ def _both_roots(ring: Ring, x: Scalar) -> list[Scalar]:
 
 
 def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> RootCoordinates:
-    """Return the roots of s·e: scalars, and the elements of trace 0 and norm −s."""
+    """Return the roots of s·e: scalars, and elements of trace 0 and norm −s."""
     o = ring.zero
     if ring.is_zero(s):
         nilpotent = nilpotent_element(ring, c)
@@ -115,7 +115,7 @@ def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
 
 
 def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
-    """Return some x of trace 0 with ``x² = s``, s ≠ 0, or None when there is none."""
+    """Return some x of trace 0 with ``x² = s``, s ≠ 0, or None if there is none."""
     if ring.characteristic == 2:
         return _traceless_root_even(ring, c, s)
     o, form = ring.zero, normal_form(ring, c)
@@ -135,7 +135,7 @@ def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
 
 
 def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
-    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0; s is not a square."""
+    """Return x in characteristic 2, where scalars (and i, if t = 0) have trace 0; s is not a square."""
     o = ring.zero
     field = known_field(ring)  # finite fields of characteristic 2 have all square roots
     if ring.sqrt(c.b) is None:
@@ -152,7 +152,7 @@ def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | N
 
 
 def _in_division_algebra(ring: Ring, form: NormalForm, s: Scalar) -> Coordinates | None:
-    """Return x in a division algebra (a, b | F), in the coordinates that it was given in."""
+    """Return x in a division algebra (a, b | F), in the original coordinates."""
     o = ring.zero
     if ring.closure is not None:  # an algebra over the real numbers
         if ring.sign(s) > 0:
@@ -170,10 +170,10 @@ def _in_division_algebra(ring: Ring, form: NormalForm, s: Scalar) -> Coordinates
 
 
 def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
-    """Yield the elements of trace 0 and norm −s over a finite field, in O(1) each.
+    """Yield the elements of trace 0 and norm −s over a finite field, each in constant time.
 
-    In odd characteristic ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2 trace 0 says
-    t·x = 0, and w is a square root.
+    In odd characteristic they solve ``−a·x² − b·y² + ab·z² = −s`` in the normal form. In characteristic 2,
+    trace 0 means t·x = 0, and w is a square root.
     """
     o = ring.zero
     if ring.characteristic == 2:
@@ -198,7 +198,7 @@ def quadric(ring: Ring, c: Constants, s: Scalar) -> Iterator[Coordinates]:
 
 
 def _pairs(ring: Ring) -> Iterator[tuple[Scalar, Scalar]]:
-    """Yield the pairs of elements by square; only x = 0 may have no solution."""
+    """Yield the pairs (x, y) of elements, square by square; only for x = 0 may there be no solution."""
     seen: list[Scalar] = []
     for n, x in enumerate(ring.elements()):
         seen.append(x)

@@ -1,8 +1,8 @@
-"""The order of a unit: the least n > 0 with ``qⁿ = 1``, or the proof that there is none.
+"""The order of a unit: the least n > 0 with ``qⁿ = 1``, or a proof that there is none.
 
-q is a root of ``X² − tr(q)·X + N(q)``. Over a domain of characteristic 0 it has finite order exactly when
-q is a root of unity itself, or the two roots of this polynomial are different roots of unity: there are few
-of them in fields of bounded degree.
+q is a root of ``X² − tr(q)·X + N(q)``. Over a domain of characteristic 0 it has finite order if and only if q
+itself is a root of unity, or the two roots of this polynomial are distinct roots of unity. A field of bounded
+degree has few roots of unity.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ SEARCHED_ORDERS = 120
 def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None:
     """Return the least n > 0 with ``qⁿ = 1``, or None if there is none.
 
-    Raises :class:`NotInvertibleError` when q is not a unit, and :class:`UndecidedError` where it is unknown:
-    for transcendental numbers, over infinite rings of one's own, and where a factorisation is out of reach.
+    Raises :class:`NotInvertibleError` if q is not a unit, and :class:`UndecidedError` if the order is
+    unknown: for transcendental numbers, over user-defined infinite rings, and if a factorisation is out of
+    reach.
     """
     n, t = norm(c, q), trace(c, q)
     if not ring.is_unit(n):
@@ -56,7 +57,7 @@ def multiplicative_order(ring: Ring, c: Constants, q: Coordinates) -> int | None
 
 
 def _over_constants(ring: Ring, base: Ring, q: Coordinates, t: Scalar, n: Scalar) -> int | None:
-    """Answer over k(x) or k[x, …], where sums and products of roots of unity are constants."""
+    """Return the order over k(x) or k[x, …], where sums and products of roots of unity are constants."""
     values = [ring.as_constant(x) for x in (q[0], t, n)]
     scalar = all(map(ring.is_zero, q[1:]))
     if (values[0] if scalar else values[1]) is None or values[2] is None:
@@ -79,11 +80,12 @@ def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
 
 
 def _exponent(ring: Ring) -> Mapping[int, int] | None:
-    """Return the primes of a number that every finite order divides; None where none is known.
+    """Return the prime factors of a multiple of every finite order; None if no such multiple is known.
 
-    Over a number field of degree n, and over ℤ, they are those of roots of unity of degree at most 2n. Over
-    a ring of m elements q generates a ring of at most m². Its residue fields are at most quadratic over those
-    of the ring, and its units that are 1 modulo its radical have orders that divide m².
+    Over a number field of degree n, and over ℤ, the multiple covers all roots of unity of degree at most 2n.
+    Over a ring of m elements, q generates a ring of at most m² elements. Its residue fields are at most
+    quadratic over those of the base ring, and its units that are 1 modulo the radical have orders that divide
+    m².
     """
     if ring.order is not None:
         m = int(ring.order)
@@ -123,7 +125,7 @@ def _digits(n: int, p: int) -> list[int]:
 
 
 def _factors_of_power(p: int, n: int) -> dict[int, int]:
-    """Return the primes of pⁿ − 1, from those of the values of cyclotomic polynomials."""
+    """Return the prime factors of pⁿ − 1, from values of cyclotomic polynomials."""
     found: dict[int, int] = {}
     for value in _cyclotomic_values(p, n):
         for r, k in factorise(value).items():

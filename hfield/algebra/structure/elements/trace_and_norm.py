@@ -1,4 +1,4 @@
-"""Elements of given trace and norm: where a quadratic extension lies in an algebra."""
+"""Find elements of given trace and norm, that is, embeddings of quadratic extensions."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from hfield.fields.quadratic_forms.normal_forms import normal_form
 
 
 def element_of(ring: Ring[E], c: Constants[E], t: E, n: E) -> Coordinates[E] | None:
-    """Return an element of trace t and norm n that is not a scalar, or None, for a central simple algebra.
+    """Return a nonscalar element of trace t and norm n in a central simple algebra, or None.
 
-    Raises :class:`UndecidedError` where neither is known.
+    Raises :class:`UndecidedError` if neither is known.
     """
     q = _element_of(ring, c, t, n)
     if q is not None and not (ring.agree(trace(c, q), t) and ring.agree(norm(c, q), n)):
@@ -50,7 +50,7 @@ def _element_of(ring: Ring[E], c: Constants[E], t: E, n: E) -> Coordinates[E] | 
 def obstruction(ring: Ring[E], c: Constants[E], t: E, n: E) -> Hashable | None:
     """Return a place at which no element has trace t and norm n, or None.
 
-    It is one where the algebra ramifies and x² − t·x + n has a root, or where a form has no zero.
+    At this place the algebra ramifies and x² − t·x + n has a root, or a quadratic form has no zero.
     """
     field = global_field(ring)
     if field is None:

@@ -1,8 +1,9 @@
 """The Jacobson radical of an algebra over a finite ring that is not a field.
 
-An element q is in it when ``tr(q·conj(u))``, for u = e, i, j, k, and N(q) lie in the radical of the ring,
-which consists of the nilpotent elements. At a residue field of characteristic 2 in which t is 0 the first
-condition says nothing and the second is additive in q; at all others the first implies the second.
+An element q lies in the radical if and only if ``tr(q·conj(u))``, for u = e, i, j, k, and N(q) lie in the
+radical of the ring, which consists of its nilpotent elements. At a residue field of characteristic 2 with t =
+0 the first condition is empty and the second is additive in q; at all other residue fields the first implies
+the second.
 """
 
 from __future__ import annotations
@@ -26,13 +27,15 @@ if TYPE_CHECKING:
 
 
 def finite_radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
-    """Return generators of the radical. Raises :class:`UndecidedError` for a ring that is too large."""
+    """Return generators of the radical. Raises :class:`UndecidedError` if the ring is too large."""
     found = _modular(ring, c) if isinstance(ring, Modular) else _searched(ring, c)
     return tuple((w, x, y, z) for w, x, y, z in found)
 
 
 def _modular(ring: Modular, c: Constants) -> list[Row]:
-    """Return generators over ℤ/n, as a direct sum: the conditions are linear modulo each prime of n."""
+    """Return generators over ℤ/n, as a direct sum; modulo each prime factor of n the conditions are
+    linear.
+    """
     n = ring.modulus
     radical = prod(factorise(n))
     rows = [[int(x) for x in row] for row in pairing_matrix(ring, c)]

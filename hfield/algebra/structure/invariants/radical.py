@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
-    """Return whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field.
+    """Return whether the algebra is central simple; over a field, whether ``(t² + 4a)·b ≠ 0``.
 
-    Raises :class:`UndecidedError` where it is not known whether the ring is a field.
+    Raises :class:`UndecidedError` if it is not known whether the ring is a field.
     """
     if ring.is_field is None:
         raise UndecidedError(
@@ -37,8 +37,8 @@ def is_central_simple(ring: Ring, c: Constants) -> bool:
 def is_semisimple(ring: Ring, c: Constants) -> bool:
     """Return whether the algebra is semisimple. Raises :class:`UndecidedError`.
 
-    Over a field or a finite ring, where it has finite length, that is whether its radical is 0. Over ℤ and
-    polynomial rings it has not, and is not semisimple.
+    Over a field or a finite ring the algebra has finite length, so it is semisimple if and only if its
+    radical is 0. Over ℤ and polynomial rings it has infinite length and is not semisimple.
     """
     if ring.is_field or ring.order is not None:
         return not radical(ring, c)
@@ -50,11 +50,12 @@ def is_semisimple(ring: Ring, c: Constants) -> bool:
 
 
 def is_local(ring: Ring, c: Constants) -> bool:
-    """Return whether the elements that are not units are an ideal. Raises :class:`UndecidedError`.
+    """Return whether the elements that are not units form an ideal. Raises :class:`UndecidedError`.
 
-    A finite ring is local when 0 and 1 are its only idempotents. Over a field a central simple algebra is
-    local when it is a division algebra. A degenerate one is not, when X² − t·X − a, with b = 0, or X² − b
-    has two roots. Over ℤ or polynomials there is a maximal ideal over every maximal ideal of the ring.
+    Over a finite ring the algebra is local if and only if 0 and 1 are its only idempotents. Over a field a
+    central simple algebra is local if and only if it is a division algebra. A degenerate one is not local if
+    X² − t·X − a (for b = 0), or X² − b, has two roots. Over ℤ or polynomials there is a maximal ideal above
+    each maximal ideal of the ring.
     """
     if has_formulas(ring):
         return count(ring, c, "idempotent").value == 2
@@ -83,12 +84,12 @@ def _is_domain(ring: Ring) -> bool:
 
 
 def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
-    """Return a basis of the Jacobson radical, () for a central simple algebra; generators over rings.
+    """Return a basis of the Jacobson radical, () for a central simple algebra; over rings, generators.
 
-    Over a field it is the kernel of the bilinear form of the norm; in characteristic 2 with t = 0, where that
-    is 0, of the norm, which is additive: linear over the field after taking roots. Over ℤ and polynomial
-    rings the radical is nilpotent (they are Jacobson rings), so it is that over the field of fractions.
-    Raises :class:`UndecidedError` over infinite rings of other kinds.
+    Over a field it is the kernel of the bilinear form of the norm. In characteristic 2 with t = 0 that form
+    is 0; then the radical is the kernel of the norm, which is additive and becomes linear over the field
+    after taking roots. Over ℤ and polynomial rings the radical is nilpotent (they are Jacobson rings), so it
+    is that over the field of fractions. Raises :class:`UndecidedError` over infinite rings of other kinds.
     """
     if ring.is_field and is_central_simple(ring, c):
         return ()
@@ -105,7 +106,7 @@ def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
 
 
 def _roots(ring: Ring, c: Constants) -> list[Row]:
-    """Return linear equations for ``w² + a·x² + b·y² + ab·z² = 0`` in characteristic 2."""
+    """Return linear equations equivalent to ``w² + a·x² + b·y² + ab·z² = 0`` in characteristic 2."""
     squares = [ring.one, c.a, c.b, c.a * c.b]
     if isinstance(ring, PolynomialRing):
         return _monomial_roots(ring, squares)
@@ -113,9 +114,10 @@ def _roots(ring: Ring, c: Constants) -> list[Row]:
 
 
 def square_parts(ring: Ring, x: Scalar) -> tuple[Scalar, ...]:
-    """Return (u,) with x = u², or (u, v) with x = u² + g·v², g no square, in a field of characteristic 2.
+    """Return (u,) with x = u², or (u, v) with x = u² + g·v² for a nonsquare g, in a field of characteristic
+    2.
 
-    Raises :class:`UndecidedError` where neither is known.
+    Raises :class:`UndecidedError` if neither is known.
     """
     field = global_field(ring)
     if field is not None:
@@ -127,7 +129,9 @@ def square_parts(ring: Ring, x: Scalar) -> tuple[Scalar, ...]:
 
 
 def _monomial_roots(ring: PolynomialRing, squares: list[flint.nmod_mpoly]) -> list[Row]:
-    """Write polynomials over GF(2) as ``Σ u²·m`` with squarefree monomials m: one row of u for each m."""
+    """Write polynomials over GF(2) as ``Σ u²·m`` with squarefree monomials m; the result has a row of u for
+    each m.
+    """
     rows: dict[tuple[int, ...], Row] = {}
     for n, x in enumerate(squares):
         for exponents, _ in x.terms():
@@ -139,9 +143,9 @@ def _monomial_roots(ring: PolynomialRing, squares: list[flint.nmod_mpoly]) -> li
 def derivations(ring: Ring, c: Constants) -> tuple[tuple[Row, ...], ...]:
     """Return a basis of the derivations, each a 4 × 4 matrix whose columns are the images of e, i, j, k.
 
-    A central simple algebra has only inner ones, ``x ↦ qx − xq`` (Jacobson and Noether), a space of
-    dimension 3; then i, j and k are the q. Over a ring where derivations are no free module, such as ℤ/n,
-    these are generators. Raises :class:`UndecidedError`.
+    A central simple algebra has only the inner derivations ``x ↦ qx − xq`` (Jacobson and Noether), a space of
+    dimension 3, with the basis given by q = i, j and k. Over a ring such as ℤ/n, where the derivations are
+    not a free module, the result is a list of generators. Raises :class:`UndecidedError`.
     """
     basis = basis_of(ring)
     if is_central_simple(ring, c):
@@ -177,8 +181,8 @@ def _inner(c: Constants, q: Coordinates, basis: Sequence[Coordinates]) -> tuple[
 def to_opposite(c: Constants, q: Coordinates) -> Coordinates:
     """Return the image of q under the isomorphism with the opposite algebra that fixes i and j.
 
-    It turns products round, φ(pq) = φ(q)φ(p), sends k = ij to ``ji = t·j − k``, and is its own inverse.
-    So the opposite algebra has the same constants.
+    The map reverses products, φ(pq) = φ(q)φ(p), sends k = ij to ``ji = t·j − k``, and is its own inverse. So
+    the opposite algebra has the same constants.
     """
     w, x, y, z = q
     return w, x, y + c.t * z, -z

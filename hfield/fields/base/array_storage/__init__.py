@@ -1,1 +1,1 @@
-"""Storage of arrays of quaternions: rows of small integers, which compiled loops run over."""
+"""Storage of arrays of quaternions: rows of small integers, processed by compiled loops."""

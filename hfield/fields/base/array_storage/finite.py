@@ -38,7 +38,9 @@ POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
 
 
 def array_storage(ring: LabelledRing, constants: Constants) -> BatchStorage:
-    """Return the storage of arrays over ℤ/n or a finite field: as labels where an arithmetic serves them."""
+    """Return the storage of arrays over ℤ/n or a finite field: as labels if an arithmetic for them is
+    available.
+    """
     arithmetic = arithmetic_of(ring)
     if arithmetic is not None:
         return LabelArrays(ring, constants, arithmetic)
@@ -46,7 +48,7 @@ def array_storage(ring: LabelledRing, constants: Constants) -> BatchStorage:
 
 
 def arithmetic_of(ring: LabelledRing) -> Arithmetic | None:
-    """Return the arithmetic of the labels of a finite ring, or None where it is too large."""
+    """Return the arithmetic of the labels of a finite ring, or None if the ring is too large."""
     q, p = ring.order, ring.characteristic
     if not is_extension(ring):
         return ResidueArithmetic.modulo(q) if q <= WORD else None
@@ -66,7 +68,9 @@ def arithmetic_of(ring: LabelledRing) -> Arithmetic | None:
 
 
 def primitive(F: FiniteField) -> int:
-    """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; x itself if it is one."""
+    """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; that of x if x generates
+    it.
+    """
     primes = factorise(F.order - 1)
     for label in range(F.characteristic, F.order):
         x = F.from_label(label)
@@ -76,7 +80,7 @@ def primitive(F: FiniteField) -> int:
 
 
 class ScalarArrays:
-    """The arithmetic of arrays of labels 0 … q − 1, which are of the type ``dtype`` and broadcast."""
+    """The arithmetic of arrays of labels 0 … q − 1 of type ``dtype``; shapes are broadcast."""
 
     def __init__(self, arithmetic: Arithmetic) -> None:
         self.dtype: str = arithmetic.dtype
@@ -91,7 +95,7 @@ class ScalarArrays:
 
 
 def scalar_arrays(ring: Ring) -> ScalarArrays | None:
-    """Return the arithmetic of arrays over a finite ring with labels; None where no loop serves it."""
+    """Return the arithmetic of arrays over a finite ring with labels; None if no loop supports it."""
     if not has_labels(ring) or not machine_code.available():
         return None
     arithmetic = arithmetic_of(ring)

@@ -1,4 +1,6 @@
-"""Arrays of quaternions over RDF and CDF as one array of numpy, whose first axis numbers the coordinates."""
+"""Arrays of quaternions over RDF and CDF as a single numpy array; its first axis is that of the
+coordinates.
+"""
 
 from __future__ import annotations
 
@@ -51,18 +53,18 @@ class FloatArrays(BatchStorage[Block]):
         return self._kernels[name]
 
     def _compiles(self, size: int) -> bool:
-        """Return whether a loop is compiled for so many elements."""
+        """Return whether the loop is compiled for this number of elements."""
         return size >= MIN_COMPILED and self.dtype == "<f8" and machine_code.available()
 
     def elementwise(self, name: str, *operands: Block) -> Block:
-        """Apply an operation, in a compiled loop for many elements."""
+        """Apply an operation, by a compiled loop if there are many elements."""
         if not self._compiles(max(p[0].size for p in operands)):
             return self.encode(self.plain.elementwise(name, *map(self.coordinates, operands)))
         (w, x, y, z), _ = self.kernel(name)(*map(rows_of, operands))
         return self.encode((w, x, y, z))
 
     def norm(self, p: Block, /) -> np.ndarray:
-        """Return the norms, of many elements in a compiled loop."""
+        """Return the norms, by a compiled loop if there are many elements."""
         if not self._compiles(p[0].size):
             return super().norm(p)
         (norms,), _ = self.kernel("norm")(rows_of(p))
@@ -71,7 +73,7 @@ class FloatArrays(BatchStorage[Block]):
     # --- in and out ----------------------------------------------------------------------------
 
     def encode(self, coordinates: Coordinates) -> Block:
-        """Encode four arrays of one shape; rows of one array are not copied."""
+        """Encode four arrays of one shape; if they are the rows of one array, nothing is copied."""
         block = coordinates if isinstance(coordinates, np.ndarray) else block_of(coordinates)
         if block is None:
             block, _ = memory.block((4, *coordinates[0].shape), self.dtype)
@@ -94,7 +96,7 @@ class FloatArrays(BatchStorage[Block]):
         return shape
 
     def part(self, p: Block, index: Index) -> Block:
-        """Return the elements at a numpy index, a view where numpy makes one."""
+        """Return the elements at a numpy index, as a view if numpy makes one."""
         parts = index if isinstance(index, tuple) else (index,)
         if all(n is None or isinstance(n, (int, slice, EllipsisType)) for n in parts):
             view: Block = p[(slice(None), *parts)]

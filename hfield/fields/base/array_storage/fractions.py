@@ -1,6 +1,7 @@
-"""Arrays over ℚ as five rows of 64-bit integers: four numerators over one denominator, in lowest terms.
+"""Arrays over ℚ as five rows of 64-bit integers: four numerators and their common denominator, in lowest
+terms.
 
-The basis is scaled as that of a single element is, so that the structure constants are integers.
+The basis is scaled as for single elements, so that the structure constants are integers.
 """
 
 from __future__ import annotations
@@ -27,7 +28,9 @@ if TYPE_CHECKING:
 
 
 class FractionArrays(WordArrays):
-    """Arrays over ℚ: ``(w, x, y, z, d)`` for (w + x·i′ + y·j′ + z·k′)/d, or one row of larger."""
+    """Arrays over ℚ: ``(w, x, y, z, d)`` for (w + x·i′ + y·j′ + z·k′)/d, or one row of objects if a number is
+    larger than a word.
+    """
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -37,7 +40,7 @@ class FractionArrays(WordArrays):
         self._is_unscaled = m == k == 1
 
     def program(self, name: str) -> tuple[Program, Sides]:
-        """Return the program of an operation, and which names its operands have in it."""
+        """Return the program of an operation, and the names of its operands in it."""
         if name in programs.FRACTIONS:
             return programs.FRACTIONS[name]
         program, sides = super().program(name)
@@ -58,7 +61,7 @@ class FractionArrays(WordArrays):
     # --- in and out ----------------------------------------------------------------------------
 
     def encode(self, coordinates: Coordinates) -> Rows:
-        """Encode four arrays of rational numbers, in words if they fit."""
+        """Encode four arrays of rational numbers, as words if they fit."""
         return self.packed(self.plain.encode(coordinates))
 
     def read(self, values: tuple[object, ...]) -> Rows:
@@ -102,7 +105,7 @@ class FractionArrays(WordArrays):
         return objects(made, self.ring).reshape(rows[0].shape)
 
     def inverse(self, p: Rows) -> Rows | None:
-        """Return the inverses ``d·conj/N``, or None where some norm is 0."""
+        """Return the inverses ``d·conj/N``, or None if some norm is 0."""
         rows = self.in_words("adjoint", p)
         if rows is not None:
             if not rows[4].all():
@@ -114,13 +117,13 @@ class FractionArrays(WordArrays):
         return None if found is None else self.packed(found)
 
     def units(self, p: Rows) -> np.ndarray:
-        """Return which elements have an inverse."""
+        """Return a bool array that marks the invertible elements."""
         rows = self.in_words("norm", p)
         units: np.ndarray = self.by_arrays("units", p) if rows is None else rows[0] != 0
         return units
 
     def prepare(self) -> None:
-        """Compile every loop, or read it from the disk."""
+        """Compile every loop, or load it from the disk."""
         super().prepare()
         for kernel in self.kernels("inverse"):
             kernel.prepare()
@@ -131,7 +134,7 @@ _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
 
 
 def is_whole(values: object) -> bool:
-    """Return whether a value is an int, or an array of numpy's, that 64 bits hold."""
+    """Return whether a value is an int that fits into 64 bits, or a numpy array of such."""
     if type(values) is int:
         return -(2**63) < values < 2**63
     return is_plain_array(values) and values.dtype.kind in "ib"

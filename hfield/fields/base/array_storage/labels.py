@@ -1,4 +1,6 @@
-"""Arrays over finite rings as rows of labels: residues, or an element's digits in base p, as in galois."""
+"""Arrays over finite rings as rows of labels: residues, or numbers whose base-p digits are the element's
+coefficients, as in galois.
+"""
 
 from __future__ import annotations
 
@@ -35,10 +37,10 @@ TABLE = 1 << 16  # rings up to this size have a table of their inverses
 
 
 class LabelArrays(RowArrays):
-    """Arrays over a finite ring whose elements have labels 0 … q − 1, with 0 and 1 for zero and one.
+    """Arrays over a finite ring whose elements have labels 0 … q − 1; zero has label 0 and one has label 1.
 
-    The ring gives ``label(x)``, ``from_label(n)`` and ``array_of_labels(row)``; ``arithmetic`` is that of
-    its labels.
+    The ring provides ``label(x)``, ``from_label(n)`` and ``array_of_labels(row)``; ``arithmetic`` is the
+    arithmetic of its labels.
     """
 
     ring: LabelledRing
@@ -57,7 +59,7 @@ class LabelArrays(RowArrays):
         return labels(self.ring, values, self.dtype)
 
     def ring_array(self, row: Row) -> np.ndarray:
-        """Return a row as an array of the ring: galois's, or one of objects."""
+        """Return a row as an array of the ring: a galois array, or an array of objects."""
         return self.ring.array_of_labels(row)
 
     def single(self, p: Rows) -> Coordinates:
@@ -66,7 +68,7 @@ class LabelArrays(RowArrays):
         return w, x, y, z
 
     def check_numbers(self, block: Row) -> None:
-        """Raise for values that are not labels."""
+        """Raise an error for values that are not labels."""
         order = self.ring.order
         if block.size and not (int(block.min()) >= 0 and int(block.max()) < order):
             wrong = int(block.min()) if int(block.min()) < 0 else int(block.max())
@@ -89,7 +91,9 @@ class LabelArrays(RowArrays):
         return ArrayProgram(program, self.arithmetic, sides, constants)
 
     def program(self, name: str) -> tuple[Program, programs.Sides]:
-        """Return the program of an operation; beside those of all rows a product with a sum after it."""
+        """Return the program of an operation; besides the operations of all row storages, there is a product
+        followed by a sum.
+        """
         if name == "product plus":
             program, sides = super().program("product")
             return programs.with_sum(program), (*sides, programs.THIRD)
@@ -124,13 +128,13 @@ class LabelArrays(RowArrays):
         return self._run_scalar("trace", p)
 
     def units(self, p: Rows) -> np.ndarray:
-        """Return which elements have an inverse."""
+        """Return a bool array that marks the invertible elements."""
         norms = self.kernel("norm")(p)[0][0] if self.compiles else None
         units: np.ndarray = self.by_arrays("units", p) if norms is None else self._units(norms)
         return units
 
     def inverse(self, p: Rows) -> Rows | None:
-        """Return the inverses, or None where some norm is not a unit of the ring."""
+        """Return the inverses, or None if some norm is not a unit of the ring."""
         if not self.compiles:
             found = self.plain.inverse(self.coordinates(p))
             return None if found is None else self.encode(found)
@@ -162,7 +166,7 @@ class LabelArrays(RowArrays):
         return np.array(found, dtype=self.dtype)
 
     def _units(self, row: Row) -> np.ndarray:
-        """Return which labels are those of units."""
+        """Return which labels belong to units."""
         if self.ring.is_field:
             return np.asarray(row != 0)
         units: np.ndarray
@@ -175,7 +179,7 @@ class LabelArrays(RowArrays):
         return tuple(factorise(self.ring.order))
 
     def prepare(self) -> None:
-        """Compile every loop but the one of matrices, or read it from the disk."""
+        """Compile every loop except that for matrices, or load it from the disk."""
         for name in (
             "product",
             "product plus",
@@ -201,8 +205,8 @@ def is_extension(ring: Ring) -> TypeGuard[ExtensionField]:
 def labels(F: LabelledRing, values: object, dtype: str) -> Row:
     """Return the labels of an element, a nested sequence or an array, in its shape.
 
-    Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
-    included, and is not copied where the types agree. Raises :class:`CoercionError`.
+    An integer n means n·1, never galois's label. A galois array must be over this very field, including the
+    modulus; it is not copied if the types agree. Raises :class:`CoercionError`.
     """
     if is_galois(values):
         check_galois(F, values)
@@ -224,7 +228,7 @@ def labels(F: LabelledRing, values: object, dtype: str) -> Row:
 
 
 def check_galois(F: LabelledRing, values: galois.FieldArray) -> None:
-    """Raise for values of galois over another field, or modulo another polynomial."""
+    """Raise an error for galois values over another field, or with another modulus."""
     cls = type(values)
     degree, coefficients = (F.degree, F.coefficients) if is_extension(F) else (1, None)
     same = F.is_field and (cls.characteristic, cls.degree) == (F.characteristic, degree)

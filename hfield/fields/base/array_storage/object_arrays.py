@@ -1,6 +1,6 @@
-"""Storage of arrays over any ring as object arrays: each entry is the stored value of an element.
+"""Storage of arrays over any ring as object arrays whose entries are stored values of elements.
 
-The entries become elements of the ring where coordinates, norms or traces are asked for.
+The entries are converted to ring elements when coordinates, norms or traces are needed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Values = np.ndarray
 
 
 class ObjectArrays(BatchStorage[Values]):
-    """Arrays over a ring of any kind; ``entries`` encodes each and computes with it.
+    """Arrays over any ring; ``entries`` encodes each element and computes with it.
 
     A stored value is an array of objects, each the stored value of an element.
     """
@@ -56,7 +56,7 @@ class ObjectArrays(BatchStorage[Values]):
         return w, x, y, z
 
     def _of_the_ring(self, elements: Values) -> np.ndarray:
-        """Return elements of the ring as an array of it."""
+        """Return elements of the ring as one of its arrays."""
         return elements.view(Objects) if self._objects else self.ring.array(elements)
 
     @cached_property
@@ -89,7 +89,7 @@ class ObjectArrays(BatchStorage[Values]):
         return each(getattr(self.entries, name), *operands)[0]
 
     def inverse(self, p: Values) -> Values | None:
-        """Return the inverses, or None where some norm is not a unit of the ring."""
+        """Return the inverses, or None if some norm is not a unit of the ring."""
         found = self.elementwise("inverse", p)
         return None if any(x is None for x in found.flat) else found
 
@@ -102,25 +102,27 @@ class ObjectArrays(BatchStorage[Values]):
         return self._of_the_ring(self.elementwise("trace", p))
 
     def units(self, p: Values) -> Values:
-        """Return which elements have an inverse."""
+        """Return a bool array that marks the invertible elements."""
         return each(lambda x: self.ring.is_unit(self.entries.norm(x)), p)[0].astype(bool)
 
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Values, q: Values) -> Values:
-        """Return where p = q."""
+        """Return a bool array that marks the entries with p = q."""
         self._check(p, q, "compare")
         return self.elementwise("equal", p, q).astype(bool)
 
     def is_zero(self, p: Values) -> Values:
-        """Return where p = 0."""
+        """Return a bool array that marks the entries with p = 0."""
         return self.elementwise("is_zero", p).astype(bool)
 
 
 def each(
     function: Callable[..., object], *operands: Values, results: int = 1
 ) -> tuple[Values, ...]:
-    """Return the arrays of a function's results on arrays of objects, which broadcast."""
+    """Return the arrays of results of a function that is applied to object arrays entry by entry, with
+    broadcasting.
+    """
     shape = np.broadcast_shapes(*(x.shape for x in operands))
     found = tuple(np.empty(shape, object) for _ in range(results))
     np.frompyfunc(function, len(operands), results)(*operands, out=found)

@@ -1,4 +1,4 @@
-"""Programs of arrays of quaternions other than the product formula, coordinate by coordinate."""
+"""Programs, coordinate by coordinate, for operations on arrays of quaternions other than the product."""
 
 from hfield.core.straight_line import FIRST, SECOND, ZERO, Program, ProgramStep
 
@@ -10,7 +10,7 @@ THIRD = ("w3", "x3", "y3", "z3")
 
 
 def _each(operation: str, names: tuple[tuple[str, ...], ...]) -> Program:
-    """Return the program that does one thing to each coordinate."""
+    """Return the program that applies one operation to each coordinate."""
     steps = tuple(ProgramStep(f"r{n}", operation, operands) for n, operands in enumerate(names))
     inputs = tuple(dict.fromkeys(name for operands in names for name in operands))
     return Program(inputs, steps, tuple(step.name for step in steps))
@@ -33,7 +33,7 @@ SCALARS: dict[str, tuple[Program, Sides]] = {
 
 
 def with_sum(program: Program) -> Program:
-    """Return the program of a product and the sum of it and a third element."""
+    """Return the program of a product to which a third element is added."""
     pairs = list(zip(program.outputs, THIRD, strict=True))
     steps = [ProgramStep(f"r{n}", "+", pair) for n, pair in enumerate(pairs) if pair[0] != ZERO]
     outputs = tuple(z if x == ZERO else f"r{n}" for n, (x, z) in enumerate(pairs))
@@ -41,13 +41,13 @@ def with_sum(program: Program) -> Program:
 
 
 def with_denominators(program: Program) -> Program:
-    """Return a program of two elements with what happens to their denominators: they are multiplied."""
+    """Extend a program of two elements to their denominators, which are multiplied."""
     step = ProgramStep("d", "*", ("d1", "d2"))
     return Program((*program.inputs, "d1", "d2"), (*program.steps, step), (*program.outputs, "d"))
 
 
 def _over_both(operation: str) -> Program:
-    """Return the sum or difference of two elements over their denominators."""
+    """Return the program that adds or subtracts two elements with denominators."""
     steps = []
     for n, (x, y) in enumerate(zip(FIRST, SECOND, strict=True)):
         steps += [ProgramStep(f"u{n}", "*", (x, "d2")), ProgramStep(f"v{n}", "*", (y, "d1"))]

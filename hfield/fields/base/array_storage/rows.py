@@ -1,4 +1,6 @@
-"""Arrays of quaternions as four rows of integers of one shape; rows of results are parts of one block."""
+"""Arrays of quaternions as four rows of integers of one shape; the rows of a result are parts of
+one block.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +28,9 @@ Row = np.ndarray
 
 
 class RowArrays(BatchStorage[Rows]):
-    """Base class for storage as four rows; each ring has its own numbers in the rows.
+    """Base class for storage as four rows; each ring determines the numbers in the rows.
 
-    A stored value is a tuple of four numpy arrays of one shape and of the type ``dtype``.
+    A stored value is a tuple of four numpy arrays of one shape and of type ``dtype``.
     """
 
     dtype: str
@@ -47,7 +49,7 @@ class RowArrays(BatchStorage[Rows]):
         return found
 
     def program(self, name: str) -> tuple[Program, Sides]:
-        """Return the program of an operation, and the names that the rows of its operands have in it."""
+        """Return the program of an operation, and the names of the rows of its operands in it."""
         if name in programs.COORDINATEWISE:
             return programs.COORDINATEWISE[name]
         program = specialise(name, self.pattern(), 2 if self.ring.characteristic == 2 else 0)
@@ -60,7 +62,7 @@ class RowArrays(BatchStorage[Rows]):
     # --- what a ring gives ---------------------------------------------------------------------
 
     def row(self, values: object) -> Row:
-        """Return a row of what the ring reads. Raises :class:`CoercionError` as the ring does."""
+        """Return a row of values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         raise NotImplementedError
 
     def ring_array(self, row: Row) -> Row:
@@ -92,7 +94,7 @@ class RowArrays(BatchStorage[Rows]):
         return shape
 
     def part(self, p: Rows, index: Index) -> Rows:
-        """Return the elements at a numpy index; the rows are views where numpy makes them."""
+        """Return the elements at a numpy index; the rows are views if numpy makes them."""
         return tuple(np.asarray(row[index]) for row in p)
 
     def single(self, p: Rows) -> Coordinates:
@@ -107,21 +109,21 @@ class RowArrays(BatchStorage[Rows]):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Rows, q: Rows) -> np.ndarray:
-        """Return where p = q."""
+        """Return a bool array that marks the entries with p = q."""
         self._check(p, q, "compare")
         pairs = zip(p, q, strict=True)
         same: np.ndarray = np.logical_and.reduce([np.equal(x, y) for x, y in pairs])
         return same
 
     def is_zero(self, p: Rows) -> np.ndarray:
-        """Return where p = 0."""
+        """Return a bool array that marks the entries with p = 0."""
         nonzero: np.ndarray = np.logical_or.reduce([row.astype(bool) for row in p])
         return ~nonzero
 
     # --- plain arrays --------------------------------------------------------------------------
 
     def to_array(self, p: Rows) -> Row:
-        """Return the rows as one array of shape (4, …), read-only; without a copy if they are one already."""
+        """Return the rows as one read-only array of shape (4, …); without a copy if they already are one."""
         block = block_of(p)
         return read_only(np.stack(p) if block is None else block)
 
@@ -143,15 +145,15 @@ class RowArrays(BatchStorage[Rows]):
         return rows_of(self.block(block))
 
     def block(self, values: Row) -> Row:
-        """Return an array of integers as an array in one piece, of the stored type."""
+        """Return an array of integers as a contiguous array of the stored type."""
         return values.astype(self.dtype, copy=False)
 
     def check_numbers(self, block: Row) -> None:
-        """Raise for numbers that do not encode an element."""
+        """Raise an error for numbers that do not encode an element."""
 
 
 def block_of(rows: Sequence[Row]) -> Row | None:
-    """Return the array of which these are all the rows, in order and in one piece, if there is one."""
+    """Return the contiguous array that consists of exactly these rows, in order; None if there is none."""
     first, base = rows[0], rows[0].base
     if not (isinstance(base, np.ndarray) and base.flags.c_contiguous and first.flags.c_contiguous):
         return None
@@ -170,10 +172,11 @@ def inverses(
     invert: Callable[[Row], Row],
     few: int = 8,
 ) -> Row:
-    """Return the inverses of a row of units by three products an element and a few inversions.
+    """Return the inverses of a row of units by three products per element and a few inversions.
 
-    Pairs are multiplied until few are left; the inverse of a pair's product times one of the pair is the
-    inverse of the other (P. L. Montgomery, Mathematics of Computation 48, 1987, as a tree).
+    Pairs are multiplied until few numbers are left. The inverse of a pair's product, times one member of the
+    pair, is the inverse of the other (P. L. Montgomery, Mathematics of Computation 48, 1987, arranged as a
+    tree).
     """
     n = len(row)
     if n <= few:

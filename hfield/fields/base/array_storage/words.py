@@ -1,6 +1,7 @@
-"""Arrays over ℤ as rows of integers of 8 to 64 bits, whose width follows from bounds of the results.
+"""Arrays over ℤ as rows of integers of 8 to 64 bits; the width follows from bounds for the results.
 
-In 64 bits overflow is noticed, and the computation goes on with the representation of single elements.
+Overflow of 64 bits is detected, and the computation then continues with the representation of single
+elements.
 """
 
 from __future__ import annotations
@@ -45,9 +46,9 @@ NARROW = ("i1", "i2", "i4")
 class WordArrays(RowArrays):
     """The common part of arrays over ℤ and ℚ: rows of words, or one row of stored values.
 
-    The latter is where a number is larger than a word. An operation runs without checks where the operands
-    are small, else again with every overflow noticed, else as on single elements. Integers of less than 64
-    bits are as large as their negatives: −128 is stored in 16.
+    One row of stored values is used if a number is larger than a word. An operation runs without checks if
+    the operands are small; otherwise with overflow checks; and if a check fails, as for single elements. The
+    types are chosen so that negatives fit as well: −128 is stored in 16 bits.
     """
 
     dtype = "i8"
@@ -66,7 +67,7 @@ class WordArrays(RowArrays):
         return pattern(self.integral, lambda x, n: x == n)
 
     def kernels(self, name: str, dtype: str = "i8") -> list[ArrayProgram]:
-        """Return the loops of an operation on rows of a type, the quick one first.
+        """Return the loops of an operation on rows of a given type, the faster one first.
 
         None if the constants are too large.
         """
@@ -92,7 +93,7 @@ class WordArrays(RowArrays):
         return self._kernels[key]
 
     def in_words(self, name: str, *operands: Rows) -> Rows | None:
-        """Run an operation, or return None where it does not fit words."""
+        """Run an operation in words; return None if it overflows."""
         if self.compiles and all(is_words(p) for p in operands):
             dtype = f"i{max(p[0].itemsize for p in operands)}"
             for kernel in self.kernels(name, dtype):
@@ -116,7 +117,7 @@ class WordArrays(RowArrays):
         return each(lambda *numbers: numbers, *(row.astype(object) for row in p), *ones)[0]
 
     def packed(self, values: Row) -> Rows:
-        """Return an array of stored single elements as rows of words, or as it is if a number is larger."""
+        """Return an array of stored single elements as rows of words, or unchanged if a number is larger."""
         try:
             block = np.array(values.ravel().tolist(), WORD).reshape(-1, 5)
         except OverflowError:
@@ -124,7 +125,7 @@ class WordArrays(RowArrays):
         return self.in_rows(np.ascontiguousarray(block.T).reshape(5, *values.shape))
 
     def in_rows(self, block: Row) -> Rows:
-        """Return the rows of a block of words, numerators and denominators."""
+        """Return the rows of a block of words: numerators and denominators."""
         return rows_of(block)
 
     def by_arrays(self, operation: str, *operands: Rows) -> np.ndarray:
@@ -152,19 +153,19 @@ class WordArrays(RowArrays):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: Rows, q: Rows) -> np.ndarray:
-        """Return where p = q."""
+        """Return a bool array that marks the entries with p = q."""
         words = is_words(p) and is_words(q)
         same: np.ndarray = super().equal(p, q) if words else self.by_arrays("equal", p, q)
         return same
 
     def is_zero(self, p: Rows) -> np.ndarray:
-        """Return where p = 0."""
+        """Return a bool array that marks the entries with p = 0."""
         words = is_words(p)
         zero: np.ndarray = super().is_zero(p[:4]) if words else self.by_arrays("is_zero", p)
         return zero
 
     def check_numbers(self, block: Row) -> None:
-        """Refuse numbers that a word does not hold."""
+        """Raise an error for numbers that do not fit into a word."""
         if block.dtype == np.uint64 and block.size and int(block.max()) >= 2**63:
             raise CoercionError(
                 "numbers of 2^63 and more do not fit int64: expected an array of int64"
@@ -180,7 +181,7 @@ class WordArrays(RowArrays):
         return read_only(super().to_array(p).astype(WORD, copy=False))
 
     def prepare(self) -> None:
-        """Compile every loop, or read it from the disk."""
+        """Compile every loop, or load it from the disk."""
         for name, dtype in product(OPERATIONS, self.dtypes):
             for kernel in self.kernels(name, dtype):
                 kernel.prepare()
@@ -196,7 +197,7 @@ class WholeArrays(WordArrays):
         self.integral = Constants(*map(int, constants))
 
     def row(self, values: object) -> Row:
-        """Return a row of words, or of objects where a number is larger."""
+        """Return a row of words, or of objects if a number is larger."""
         if is_plain_array(values) and (
             values.dtype.kind in "ib"
             or (values.dtype.kind == "u" and not (values >= np.uint64(2**63)).any())
@@ -209,7 +210,7 @@ class WholeArrays(WordArrays):
             return made
 
     def encode(self, coordinates: Coordinates) -> Rows:
-        """Encode four arrays, all as words or none."""
+        """Encode four arrays: all as words, or all as objects."""
         return self._alike([self.row(c) for c in coordinates])
 
     def read(self, values: tuple[object, ...]) -> Rows:
@@ -217,7 +218,7 @@ class WholeArrays(WordArrays):
         return self._alike(super().read(values))
 
     def in_rows(self, block: Row) -> Rows:
-        """Return the rows of a block of words, narrow ones but for the denominators, which are 1."""
+        """Return the rows of a block of words, in narrow types except the denominators, which are 1."""
         return alike(map(narrowed, block[:4]))
 
     def _alike(self, rows: Sequence[Row]) -> Rows:
@@ -241,7 +242,7 @@ class WholeArrays(WordArrays):
         return self.by_arrays("trace", p) if rows is None else self.ring_array(rows[0])
 
     def inverse(self, p: Rows) -> Rows | None:
-        """Return the inverses, or None where some norm is neither 1 nor −1."""
+        """Return the inverses, or None if some norm is neither 1 nor −1."""
         rows = self.in_words("adjoint", p)
         if rows is None:
             found = self.plain.inverse(self.values(p))
@@ -252,28 +253,28 @@ class WholeArrays(WordArrays):
         return tuple(np.asarray(row * norms) for row in conjugate)
 
     def block(self, values: Row) -> Row:
-        """Return int64 as it is, all else in the smallest type that holds it."""
+        """Return int64 unchanged, and other integers in the smallest type that fits."""
         return values if values.dtype == WORD else narrowed(values)
 
 
 def is_words(p: Rows) -> bool:
-    """Return whether rows are of integers, and not of objects."""
+    """Return whether the rows consist of machine integers, not of objects."""
     return p[0].dtype != object
 
 
 def narrowed(row: Row) -> Row:
-    """Return a new row of the smallest type that holds these integers."""
+    """Return a new row of the smallest type that fits these integers."""
     size = max(-int(row.min()), int(row.max())) if row.size else 0
     return np.array(row, next((t for t in NARROW if size <= holds(t)), WORD))
 
 
 def of_type(p: Rows, dtype: str) -> Rows:
-    """Return rows of integers as rows of a type that holds them."""
+    """Return rows of integers converted to a type that fits them."""
     return p if p[0].dtype == dtype else tuple(row.astype(dtype) for row in p)
 
 
 def alike(rows: Iterable[Row]) -> Rows:
-    """Return rows of one type, the widest."""
+    """Return rows converted to a common type, the widest."""
     rows = tuple(rows)
     dtype = max((row.dtype for row in rows), key=lambda t: t.itemsize)
     return tuple(row.astype(dtype, copy=False) for row in rows)

@@ -1,8 +1,9 @@
 """Storage of elements of an algebra: encode four coordinates as one value, and compute with such values.
 
 :meth:`~hfield.fields.base.ring.Ring.storage` of a ring returns the storage of single elements, and
-:meth:`~hfield.fields.base.ring.Ring.array_storage` that of arrays of them. :class:`Storage` stores the tuple
-of the coordinates and serves every ring, a user's own too; a ring with a compact form derives from it.
+:meth:`~hfield.fields.base.ring.Ring.array_storage` the storage of arrays. :class:`Storage` stores the tuple
+of the coordinates and works for every ring, also for user-defined ones; the storage of a ring with a compact
+form is a subclass.
 """
 
 from __future__ import annotations
@@ -35,9 +36,9 @@ else:
 class Storage(Generic[H, S]):
     """Storage of elements over one ring with given structure constants, here as tuples of coordinates.
 
-    A stored value stands for an element. It is immutable: no operation changes it. The operands of an
-    operation are values of this storage, or of an equal one (of an equal ring and equal constants); nothing
-    is checked.
+    A stored value represents an element. It is immutable: no operation changes it. The operands of an
+    operation are values of this storage or of an equal one (of an equal ring with equal constants); this is
+    not checked.
     """
 
     is_batch = False
@@ -53,7 +54,7 @@ class Storage(Generic[H, S]):
         return coordinates  # type: ignore[return-value]  # H is the tuple, where this serves
 
     def coordinates(self, stored: H) -> Coordinates:
-        """Return the coordinates as elements of the ring: the library's own values."""
+        """Return the coordinates as elements of the ring: plain values of its library."""
         return stored  # type: ignore[return-value]
 
     def scalar(self, s: S) -> H:
@@ -67,7 +68,7 @@ class Storage(Generic[H, S]):
         return self.encode((w, x, y, z))
 
     def explain(self, operation: str) -> str:
-        """Return the text of what computes an operation, such as ``product``."""
+        """Return the source text of the function that computes an operation, such as ``product``."""
         return f"# the formula of hfield.core.product, on the coordinates: {operation}"
 
     # --- elements to elements ------------------------------------------------------------------
@@ -103,11 +104,11 @@ class Storage(Generic[H, S]):
         return self.encode((w * s, x * s, y * s, z * s))
 
     def divided(self, p: H, s: S) -> H | None:
-        """Return p/s, or None where s is not a unit of the ring."""
+        """Return p/s, or None if s is not a unit of the ring."""
         return self.scaled(p, self.ring.inverse(s)) if self.ring.is_unit(s) else None
 
     def inverse(self, p: H, /) -> H | None:
-        """Return p⁻¹, or None where the norm is not a unit of the ring."""
+        """Return p⁻¹, or None if the norm is not a unit of the ring."""
         return self.divided(self.conjugate(p), self.norm(p))
 
     def one(self, p: H) -> H:
@@ -155,16 +156,16 @@ class Storage(Generic[H, S]):
         return tuple(map(self.ring.key, self.coordinates(p)))
 
     def state(self, p: H) -> tuple[object, ...]:
-        """Return four values that pickle and that ``read`` reads back."""
+        """Return four values that can be pickled and that ``read`` reads back."""
         return tuple(map(self.ring.state, self.coordinates(p)))
 
 
 class BatchStorage(Storage[H, "np.ndarray"]):
     """Storage of arrays of elements, here as four arrays of one shape that compute elementwise.
 
-    A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where
-    they do not, the operations raise :class:`CoercionError`. ``norm`` and ``trace`` return arrays of the
-    ring, ``equal`` and ``is_zero`` bool arrays.
+    A single operand is first converted to a 0-dimensional array. Shapes broadcast as in numpy; if they do
+    not, the operations raise :class:`CoercionError`. ``norm`` and ``trace`` return arrays of the ring,
+    ``equal`` and ``is_zero`` bool arrays.
     """
 
     is_batch = True
@@ -199,12 +200,12 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         return shape
 
     def part(self, p: H, index: Index) -> H:
-        """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
+        """Return the elements at a numpy index; if its result has shape (), only ``single`` accepts it."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
         return self.encode((w, x, y, z))
 
     def single(self, p: H) -> Coordinates:
-        """Return the coordinates, elements of the ring, of a part of no dimensions."""
+        """Return the coordinates, elements of the ring, of a 0-dimensional part."""
         w, x, y, z = map(self.ring.scalar, self.coordinates(p))
         return w, x, y, z
 
@@ -214,13 +215,13 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         return self.encode((w, x, y, z))
 
     def to_array(self, p: H) -> np.ndarray:
-        """Return the elements as one array of numbers. Raises :class:`CoercionError` where there is none."""
+        """Return the elements as one array of numbers. Raises :class:`CoercionError` if there is none."""
         raise CoercionError(self._no_integers())
 
     def from_array(self, values: object, copy: bool = True) -> H:
         """Encode an array that ``to_array`` returned. Raises :class:`CoercionError`.
 
-        Without ``copy`` the memory is shared where the storage has numbers of this type.
+        Without ``copy`` the memory is shared if the storage uses numbers of this type.
         """
         raise CoercionError(self._no_integers())
 
@@ -258,18 +259,18 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         return self.elementwise("conjugate", p)
 
     def units(self, p: H) -> np.ndarray:
-        """Return a bool array: which elements have an inverse."""
+        """Return a bool array that marks the invertible elements."""
         return self.ring.array_units(self.norm(p))
 
     def inverse(self, p: H, /) -> H | None:
-        """Return the inverses, or None where some norm is not a unit of the ring."""
+        """Return the inverses, or None if some norm is not a unit of the ring."""
         n = self.norm(p)
         if not self.ring.array_units(n).all():
             return None
         return self.scaled(self.conjugate(p), self.ring.array_inverse(n))
 
     def one(self, p: H) -> H:
-        """Encode an array of e, of the shape of p."""
+        """Encode an array of the shape of p with all entries e."""
         return self._filled(1, self.shape(p))
 
     def total(self, p: H, axis: int | None) -> H:
@@ -283,7 +284,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
     def _folded(
         self, p: H, axis: int | None, combine: Callable[[H, H], H], neutral: int, in_order: bool
     ) -> H:
-        """Combine the elements along an axis, in a tree; only neighbours with each other if ``in_order``."""
+        """Combine the elements along an axis in a tree; only neighbours if ``in_order``."""
         shape = self.shape(p)
         if axis is None:
             p, shape, axis = self.reshaped(p, (-1,)), (math.prod(shape),), 0
@@ -297,7 +298,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         def part(x: H, index: slice | int) -> H:
             return self.part(x, (*(slice(None),) * axis, index))
 
-        tail = None  # what comes after the last of those that are left
+        tail = None  # the factor behind the last of the remaining ones
         while n > 1:
             half = n // 2
             if n % 2:
@@ -320,7 +321,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
     # --- what is equal -------------------------------------------------------------------------
 
     def equal(self, p: H, q: H) -> np.ndarray:
-        """Return where p = q: a bool array."""
+        """Return a bool array that marks the entries with p = q."""
         import numpy as np
 
         self._check(p, q, "compare")
@@ -329,7 +330,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         return same
 
     def is_zero(self, p: H) -> np.ndarray:
-        """Return where p = 0: a bool array."""
+        """Return a bool array that marks the entries with p = 0."""
         zero = self.ring.zero
         return self.equal(p, self.lift((zero, zero, zero, zero)))
 
@@ -337,7 +338,7 @@ class BatchStorage(Storage[H, "np.ndarray"]):
         return f"arrays of quaternions over {self.ring} have no form of integers: pickle them"
 
     def _check(self, p: H, q: H, operation: str) -> None:
-        """Raise if the shapes of two arrays do not broadcast."""
+        """Raise an error if the shapes of two arrays do not broadcast."""
         left, right = self.shape(p), self.shape(q)
         if left != right and left and right:
             from hfield.fields.base.arrays import check_shapes

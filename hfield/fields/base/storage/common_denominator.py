@@ -1,4 +1,4 @@
-"""Store elements as numerators over one denominator: what ℚ, number fields and F(t) have in common."""
+"""Store elements as numerators over one denominator: the common part of ℚ, number fields and F(t)."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ else:
 class CommonDenominatorStorage(Compact[T, S]):
     """Storage of elements as coordinates over a common denominator, in lowest terms.
 
-    A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
-    is scaled to i′ = m·i, j′ = k·j, so that the constants a′ = m²a, t′ = mt, b′ = k²b have no denominators:
-    the algebra keeps its form, and so its formula. ``pattern`` and ``relation`` are as
-    :func:`~hfield.core.straight_line.specialise_extension` takes them.
+    A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` expresses sⁿ by these
+    powers. The basis is scaled to i′ = m·i, j′ = k·j, so that the constants a′ = m²a, t′ = mt, b′ = k²b have
+    no denominators; the algebra keeps its form, and the product its formula. ``pattern`` and ``relation`` are
+    as in :func:`~hfield.core.straight_line.specialise_extension`.
     """
 
     inverted = [  # noqa: RUF012 - never changed
@@ -46,14 +46,14 @@ class CommonDenominatorStorage(Compact[T, S]):
 
     @abstractmethod
     def settle(self, names: list[str]) -> list[str]:
-        """Write how to return the named numerators over d in lowest terms."""
+        """Return code that returns the named numerators over d in lowest terms."""
 
     def value(self, names: list[str], denominator: str) -> list[str]:
-        """Write how to return the named numerators over a denominator as an element of the ring."""
+        """Return code that returns the named numerators over a denominator as an element of the ring."""
         return [f"return element({', '.join(names)}, {denominator})"]
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation on numerators over one denominator."""
+        """Return the source text of an operation on numerators over one denominator."""
         degree = len(self.relation)
         first, second, results = (
             [part for name in side for part in parts(name, degree)]
@@ -89,13 +89,13 @@ class CommonDenominatorStorage(Compact[T, S]):
         return function(operation, p, [*formula(operation, results), value])
 
     def names(self) -> dict[str, object]:
-        """Return the names used in every source; a field adds its constants and its reduction to lowest
+        """Return the names used in every source text; a field adds its constants and its reduction to lowest
         terms.
         """
         return {"by_norm": self._by_norm}
 
     def _by_norm(self, p: T) -> T | None:
-        """Return the inverse through that of the norm in the ring."""
+        """Return the inverse, computed from the inverse of the norm in the ring."""
         stored: T | None = self.divided(self.conjugate(p), self.norm(p))
         return stored
 
@@ -114,7 +114,7 @@ class CommonDenominatorStorage(Compact[T, S]):
 
 
 def _added(sign: str, results: list[str], first: list[str], second: list[str]) -> list[str]:
-    """Write the sum or difference of two fractions, not in lowest terms."""
+    """Return code for the sum or difference of two fractions, not in lowest terms."""
     triples = list(zip(results, first, second, strict=True))
     return [
         "if d1 == d2:",

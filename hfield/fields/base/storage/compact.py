@@ -1,4 +1,6 @@
-"""Storage whose operations are Python functions made from the straight-line program, at the first call."""
+"""Storage whose operations are Python functions, generated from the straight-line program at the
+first call.
+"""
 
 from __future__ import annotations
 
@@ -34,10 +36,10 @@ MADE = (
 
 
 class Compact(Storage[H, S]):
-    """A storage whose operations are compiled from source text: :meth:`source` of each operation, read once.
+    """A storage whose operations are compiled from the source text that :meth:`source` returns for each.
 
-    Algebras with the same constants among 0, 1 and −1 share the text and what Python compiled of it; all
-    other constants are named.
+    Algebras whose constants agree in which are 0, 1 and −1 share the source text and the compiled code; all
+    other constants are referred to by name.
     """
 
     __slots__ = (*MADE, "is_unique")  # slots, for Python looks these up fastest
@@ -75,14 +77,16 @@ class Compact(Storage[H, S]):
 
     @abstractmethod
     def source(self, operation: str) -> str:
-        """Return the text of a Python function with the name of the operation, on stored values."""
+        """Return the source text of a Python function, named like the operation, on stored values."""
 
     @abstractmethod
     def names(self) -> dict[str, object]:
-        """Return what the free names of the source mean."""
+        """Return the values of the free names in the source text."""
 
     def explain(self, operation: str) -> str:
-        """Return the source of an operation, after lines on the stored values and the named constants."""
+        """Return the source text of an operation, preceded by lines on the stored values and the named
+        constants.
+        """
         source = self.source(operation)
         values = [
             f"{name} = {shorten(value)}"
@@ -94,7 +98,7 @@ class Compact(Storage[H, S]):
 
     def _first_call(self, operation: str, *operands: object) -> object:
         made = getattr(self, operation)
-        if isinstance(made, partial):  # and nobody kept what stood here before the first call
+        if isinstance(made, partial):  # nobody stored the function from before the first call
             names = self.names()
             made = _factory(operation, self.source(operation), tuple(names))(**names)
             setattr(self, operation, made)
@@ -103,9 +107,9 @@ class Compact(Storage[H, S]):
 
 @lru_cache(maxsize=1024)
 def _factory(name: str, source: str, free: tuple[str, ...]) -> Callable[..., Callable[..., object]]:
-    """Return a function that closes the source over values of its free names.
+    """Return a function that makes the source text a closure over the values of its free names.
 
-    Names that are closed over are found quicker than globals, and algebras share the compiled code.
+    Closure variables are looked up faster than globals, and algebras share the compiled code.
     """
     text = f"def make({', '.join(free)}):\n{indent(source, '    ')}\n    return {name}\n"
     namespace: dict[str, Any] = {}
@@ -115,7 +119,9 @@ def _factory(name: str, source: str, free: tuple[str, ...]) -> Callable[..., Cal
 
 
 def function(name: str, operands: dict[str, str], lines: list[str]) -> str:
-    """Write a function whose operands are unpacked, ``{"p": "w1, x1, y1, z1"}``."""
+    """Return the source text of a function that unpacks its operands, given as ``{"p": "w1, x1, y1,
+    z1"}``.
+    """
     head = f"def {name}({', '.join(operands)}):"
     unpacked = [f"{parts} = {operand}" for operand, parts in operands.items()]
     return "\n".join([head, *(f"    {line}" for line in unpacked + lines)])
@@ -126,6 +132,6 @@ def statements(
     outputs: tuple[str, ...],
     write: Callable[[str, Sequence[str]], str] = arithmetic_text,
 ) -> list[str]:
-    """Write a program as assignments to the names of its outputs."""
+    """Return a program as assignments to its named outputs."""
     assigned, values = program.expressions(write)
     return [f"{n} = {text}" for n, text in [*assigned, *zip(outputs, values, strict=True)]]

@@ -24,7 +24,7 @@ Integers = tuple[int | flint.fmpz, ...]  # numerators, and the denominator last
 class FractionStorage(CommonDenominatorStorage[Integers, S]):
     """Elements over ℚ(s) as ints over one denominator.
 
-    Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
+    Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; for ℚ and ℤ, n = 1 and s = 0.
     """
 
     inverted = [  # noqa: RUF012
@@ -43,9 +43,9 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         vector: Callable[[S], Vector],
         element: Callable[..., S],
     ) -> None:
-        """Store the maps from the ring to vectors and back, ``element(c₀, …, cₙ₋₁, denominator)``,
+        """Store the maps from the ring to vectors, and back.
 
-        the denominator 1 where it is left out."""
+        The map back is ``element(c₀, …, cₙ₋₁, denominator)``; the denominator is 1 if it is omitted."""
         super().__init__(ring, constants)
         self.degree = len(relation)
         self._vector, self._element = vector, element
@@ -61,7 +61,7 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         self.relation, self.whole_relation = self._named("m", list(relation)), relation
 
     def _named(self, letter: str, values: list[int]) -> tuple[str, ...]:
-        """Return integers in the form of the specialiser, and record the named ones."""
+        """Return integers in the form of the specialiser, and record those that are referred to by name."""
         names = parts(letter, self.degree)
         self.integers |= dict(zip(names, values, strict=True))
         return tuple(named(v, name, int.__eq__) for name, v in zip(names, values, strict=True))
@@ -120,7 +120,7 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         return ["if d1 == 1:", whole, *super().value(names, denominator)]
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation; the inverse over ℚ(s) is a multiple of the conjugate."""
+        """Return the source text of an operation; the inverse over ℚ(s) is a multiple of the conjugate."""
         if operation != "inverse" or self.degree == 1:
             return super().source(operation)
         n = self.degree
@@ -142,7 +142,7 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
     def divided(self, p: Integers, s: S) -> Integers | None:
-        """Return p/s for an element s of the ring, or None where it is not a unit."""
+        """Return p/s for an element s of the ring, or None if s is not a unit."""
         stored: Integers | None
         if not self.ring.is_field:
             stored = super().divided(p, s)
@@ -163,9 +163,11 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         return *(int(c.p) * (d // int(c.q)) for c in vector), d
 
     def _reciprocal(self, *s: int) -> tuple[int, ...]:
-        """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, d = 0 only for 0, for n = 1, 2 or 3.
+        """Return (u₀, …, uₙ₋₁, d) with ``Σ sₖ·sᵏ · Σ uₖ·sᵏ = d``, for n = 1, 2 or 3; d = 0 only if Σ sₖ·sᵏ =
+        0.
 
-        The matrix of multiplication by the first sum has the second, up to d, for its inverse's first column.
+        Up to the factor d, the u are the first column of the inverse of the matrix of multiplication by Σ
+        sₖ·sᵏ.
         """
         if len(s) == 1:
             return 1, *s
@@ -181,7 +183,7 @@ class FractionStorage(CommonDenominatorStorage[Integers, S]):
         return u, v, w, x * u + x1 * v + x2 * w
 
     def settle(self, names: list[str]) -> list[str]:
-        """Emit the code that returns ints over d in lowest terms."""
+        """Return code that returns ints over d in lowest terms."""
         listed = ", ".join(names)
         return [
             "if d == 1:",
@@ -203,7 +205,7 @@ def _denominator(vector: Vector) -> int:
 def lowest(*fraction: int | flint.fmpz) -> Integers:
     """Reduce integers over a common positive denominator, the last entry, to lowest terms.
 
-    Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.
+    Large integers become flint's, which multiply faster from 2²⁵⁶ on; the others become Python's.
     """
     large: list[flint.fmpz] = [c if type(c) is flint.fmpz else flint.fmpz(c) for c in fraction]
     g = large[-1]

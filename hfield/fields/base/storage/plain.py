@@ -25,7 +25,7 @@ class Plain(Compact[Coordinates, Scalar]):
         return all(map(self.ring.equal, p, q))
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation on coordinates."""
+        """Return the source text of an operation on coordinates."""
         if operation == "inverse":
             return "def inverse(p):\n    return by_norm(p)"
         # floats keep the formula to the letter, for 0·∞ is not 0

@@ -22,7 +22,7 @@ Representatives = tuple[R, R, R, R]
 
 
 class Quotients(Compact[Representatives[R], "Coefficient"]):
-    """Storage of elements over R/(n) as representatives that ``%`` makes unique."""
+    """Storage of elements over R/(n) as the unique representatives that ``%`` returns."""
 
     reduces_sums = True
 
@@ -60,7 +60,7 @@ class Quotients(Compact[Representatives[R], "Coefficient"]):
         return self.lifted._asdict() | tools
 
     def source(self, operation: str) -> str:
-        """Return the text of an operation on four representatives."""
+        """Return the source text of an operation on four representatives."""
         program = specialise(
             "adjoint" if operation == "inverse" else operation,
             self.pattern,

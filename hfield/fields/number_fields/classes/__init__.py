@@ -1,1 +1,3 @@
-"""Classes of ideals and units of number fields: S-units, class groups, and ζ_K(−1) that counts with them."""
+"""Ideal classes and units of number fields: S-units, class groups, and ζ_K(−1), which is computed
+from them.
+"""

@@ -19,7 +19,7 @@ class AbelianGroup:
         self.order = math.prod(self.invariants)
 
     def coordinates(self, vector: Sequence[int]) -> tuple[int, ...]:
-        """Return a vector in the cyclic factors."""
+        """Return the coordinates of a vector in the cyclic factors."""
         out = [sum(vector[j] * self._into[j][i] for j in range(self.k)) for i in self._at]
         return tuple(c % d for c, d in zip(out, self.invariants, strict=True))
 
@@ -30,7 +30,7 @@ class AbelianGroup:
 
 
 def _smith(m: list[list[int]], k: int) -> tuple[list[int], list[list[int]], list[list[int]]]:
-    """Return d, V and V⁻¹ with U·M·V diagonal and d₁ | d₂ | …, M having k columns and rank k."""
+    """Return d, V and V⁻¹ with U·M·V diagonal and d₁ | d₂ | …, where M has k columns and rank k."""
     v = [[int(i == j) for j in range(k)] for i in range(k)]
     w = [[int(i == j) for j in range(k)] for i in range(k)]
     m = [list(map(int, row)) for row in flint.fmpz_mat(m).hnf().tolist()[:k]] if k else []

@@ -1,7 +1,8 @@
 """Class groups and narrow class groups of number fields, and whether an ideal is principal.
 
 The class group is ℤ^S modulo the exponents of the proved S-units
-(:mod:`hfield.fields.number_fields.classes.s_units`); signs at the real places make the narrow group.
+(:mod:`hfield.fields.number_fields.classes.s_units`); their signs at the real places determine the narrow
+group.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Principality(Verdict[FieldElement]):
-    """Whether an ideal is principal: ``generator`` if so, else None; ``evidence`` as data."""
+    """Whether an ideal is principal; ``generator`` is a generator or None, ``evidence`` is JSON data."""
 
     evidence: dict[str, object] | None = None
 
@@ -36,7 +37,7 @@ class Principality(Verdict[FieldElement]):
 
 
 def is_principal(a: FractionalIdeal) -> Principality:
-    """Return whether an ideal is principal, with a generator, or its class."""
+    """Return whether an ideal is principal, with a generator if it is, else with its class."""
     basis = s_unit_basis(a.ring)
     x = basis.principal(a)
     if x is not None:
@@ -48,9 +49,10 @@ def is_principal(a: FractionalIdeal) -> Principality:
 
 
 class ClassGroup(Certified):
-    """The class group of a number field, proved without hypotheses, narrow at some real places.
+    """The class group of a number field, or a narrow class group for some real places, proved without
+    hypotheses.
 
-    ``order``, ``invariants`` d₁ | d₂ | …, ``generators`` (ideals, of these orders), ``evidence``, and
+    ``order``; ``invariants`` d₁ | d₂ | …; ``generators``, ideals of these orders; ``evidence``; and
     ``assumes``, which is empty.
 
     >>> from hfield import ring
@@ -85,12 +87,12 @@ class ClassGroup(Certified):
         return [int(self._basis.s.field.sign_at(x, k) < 0) for k in self._signs]
 
     def class_of(self, a: FractionalIdeal) -> tuple[int, ...]:
-        """Return the class of an ideal, in the cyclic factors."""
+        """Return the class of an ideal as coordinates in the cyclic factors."""
         x, exponents = self._basis.class_of(a)
         return self.group.coordinates([*exponents, *self._of_signs(x)])
 
     def factors(self, a: FractionalIdeal) -> tuple[FieldElement, list[int]]:
-        """Return x and exponents with a = x·∏Pᵉ, P in the S of :attr:`evidence`."""
+        """Return x and exponents with a = x·∏Pᵉ, where P runs through the set S of :attr:`evidence`."""
         return self._basis.class_of(a)
 
     @cached_property
@@ -127,14 +129,14 @@ class ClassGroup(Certified):
 
     @cached_property
     def evidence(self) -> dict[str, object]:
-        """The evidence as JSON data: reductions, generators of S-units, primes at which they are
+        """The evidence as JSON data: reductions, generators of the S-units, and primes at which these are
         saturated.
         """
         return evidence.evidence(self._basis.s)
 
     @property
     def claim(self) -> CertifiedClaim:
-        """The class group as a statement with its evidence; there is none for the narrow one."""
+        """The class group as a statement with its evidence; not available for a narrow class group."""
         if self.narrow:
             why = "narrow class groups are not certified: ask for class_group()"
             return CertifiedClaim("", "class-group", {}, "S-units", ring=self.ring, refusal=why)
@@ -144,7 +146,9 @@ class ClassGroup(Certified):
 
 @lru_cache(maxsize=256)
 def class_group(ring: NumberField, signs: tuple[int, ...] = ()) -> ClassGroup:
-    """Return the group of ideals modulo generators that are positive at some real places."""
+    """Return the group of ideals modulo principal ideals with a generator that is positive at some real
+    places.
+    """
     return ClassGroup(ring, signs)
 
 

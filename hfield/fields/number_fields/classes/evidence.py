@@ -56,12 +56,12 @@ def evidence(s: SUnits) -> dict[str, object]:
 
 
 def seconds_above(s: SUnits, p: int) -> list[list[int]]:
-    """Return second generators of the prime ideals above p, in the integral basis."""
+    """Return the second generators of the prime ideals above p, in the integral basis."""
     return [_second(s, P) for P in s.frame.field.primes_above(p)]
 
 
 def cited(s: SUnits) -> tuple[str, ...]:
-    """Return the theorems by which the S-units are all."""
+    """Return the theorems that show that all S-units were found."""
     if s.n == 2:
         return (REDUCED_FORMS,)
     bound = MINKOWSKI if s.has_primes_to(s_units.minkowski(s.frame)) else ZIMMERT
@@ -82,7 +82,9 @@ def _second(s: SUnits, P: PrimeIdeal) -> list[int]:
 
 
 def _residues(s: SUnits) -> list[list[int]]:
-    """Return primes q with simple roots modulo q: the q − 1 have no more in common than roots of unity."""
+    """Return primes q with simple roots modulo q, such that the gcd of the q − 1 is the number of roots of
+    unity.
+    """
     if s.field.signature[0]:
         return []
     found, common = [], 0
@@ -98,6 +100,6 @@ def _residues(s: SUnits) -> list[list[int]]:
 
 
 def claim(s: SUnits, ring: NumberField, statement: str) -> CertifiedClaim:
-    """Return a statement about a field, with the S-units that show it."""
+    """Return a statement about a field, with the S-units that prove it."""
     algebra = f"(-1,-1|{ring.name})"
     return CertifiedClaim(algebra, statement, evidence(s), BY_S_UNITS, assumes=cited(s), ring=ring)

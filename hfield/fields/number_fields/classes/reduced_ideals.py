@@ -1,10 +1,10 @@
 """The classes of a quadratic field by its reduced ideals: all relations between prime ideals, and the unit.
 
-The ideal (a, b) is ℤ·a + ℤ·(b + √D)/2, with a > 0 and b² ≡ D mod 4a. A class has one reduced ideal where
-D < 0, and a cycle of them where D > 0; the step to the next ideal multiplies by (−b + √D)/(2a), and once
-around the principal cycle the product of the steps is a fundamental unit. The classes that some primes
-generate are enumerated, so that relations are found without a search (H. Cohen, *A Course in
-Computational Algebraic Number Theory*, sections 5.4 to 5.8).
+The ideal (a, b) is ℤ·a + ℤ·(b + √D)/2, with a > 0 and b² ≡ D mod 4a. A class contains one reduced ideal if D
+< 0, and a cycle of them if D > 0. The step to the next ideal multiplies by (−b + √D)/(2a), and the product of
+the steps once around the principal cycle is a fundamental unit. The classes that some primes generate are
+enumerated, so that relations are found without a search (H. Cohen, *A Course in Computational Algebraic
+Number Theory*, sections 5.4 to 5.8).
 """
 
 from __future__ import annotations
@@ -28,8 +28,9 @@ Form = tuple[int, int]
 class ReducedIdeals:
     """The subgroup of the class group of a quadratic field that prime ideals P₁, P₂, … generate.
 
-    ``rows`` are the exponents of :attr:`relations`. All x with such an ideal are products of those, the
-    :attr:`unit` and roots of unity. Numbers are computed when they are needed, as they may be long.
+    ``rows`` contains the exponents of :attr:`relations`. All x that generate a product of powers of the Pᵢ
+    are products of these relations, powers of the :attr:`unit` and roots of unity. Numbers are computed when
+    they are needed, because they may be long.
     """
 
     def __init__(self, frame: MaximalOrder) -> None:
@@ -72,7 +73,7 @@ class ReducedIdeals:
         return self._product([self._step(form) for form in self._cycle(start)]).inverse()
 
     def class_of(self, a: FractionalIdeal) -> tuple[FieldElement, list[int]] | None:
-        """Return (x, e) with a = x·∏Pᵉ, or None where the primes do not generate the class of a."""
+        """Return (x, e) with a = x·∏Pᵉ, or None if the primes do not generate the class of a."""
         form, scale = self._form(a)
         reduced, x = self._reduced(form)
         if reduced not in self._place:
@@ -86,7 +87,7 @@ class ReducedIdeals:
     # --- the group ---------------------------------------------------------------------------------
 
     def adjoin(self, a: FractionalIdeal) -> None:
-        """Add a prime to the generators, with the relation of its first power that lies in the subgroup."""
+        """Add a prime to the generators, with the relation for its first power that lies in the subgroup."""
         P = self._form(a)[0]
         before, count = len(self._starts), len(self.rows)
         powers = [P, self._path(P)[-1]]
@@ -105,7 +106,7 @@ class ReducedIdeals:
         self.rows = [[*row, 0] for row in self.rows] + [[*others, len(powers) - 1]]
 
     def _add_class(self, start: Form, origin: tuple[int, int], vector: tuple[int, ...]) -> None:
-        """Add the class of a reduced ideal, a product of primes up to numbers."""
+        """Add the class of a reduced ideal, which equals a product of primes up to a number."""
         number = len(self._starts)
         self._starts.append(start)
         self._origins.append(origin)
@@ -126,7 +127,7 @@ class ReducedIdeals:
         return number, self._product([self._element_of_class(number), *steps])
 
     def _element_of_class(self, number: int) -> FieldElement:
-        """Return x with which the first reduced ideal of a class is x·∏Pᵉ."""
+        """Return x such that the first reduced ideal of a class is x·∏Pᵉ."""
         factors = [self.field.one]
         while number:
             n, j = self._origins[number]
@@ -137,7 +138,7 @@ class ReducedIdeals:
         return self._product(factors)
 
     def _element_of_power(self, m: int, j: int) -> FieldElement:
-        """Return x with which the reduced ideal of the j-th power of a prime P is x·Pʲ."""
+        """Return x such that the reduced ideal of the j-th power of a prime P is x·Pʲ."""
         (P, *reduced), found = self._primes[m], self._power_elements[m]
         if not found:
             found.append(self._reduced(P)[1])
@@ -146,7 +147,7 @@ class ReducedIdeals:
         return found[j - 1]
 
     def _product(self, factors: list[FieldElement]) -> FieldElement:
-        """Return a product, of factors of about the same size at each turn."""
+        """Return a product, multiplying factors of about the same size at each step."""
         while len(factors) > 1:
             pairs = [x * y for x, y in zip(factors[::2], factors[1::2], strict=False)]
             factors = pairs + factors[len(factors) & ~1 :]
@@ -167,7 +168,7 @@ class ReducedIdeals:
         return self._normal(n // (2 * m), b // m), (m, int(den))
 
     def _normal(self, a: int, b: int) -> Form:
-        """Return the same ideal with b in the interval that belongs to a."""
+        """Return the same ideal with b in the normal interval for a."""
         top = self._floor if self.D > 0 and a <= self._floor else a
         return a, top - (top - b) % (2 * a)
 
@@ -195,12 +196,12 @@ class ReducedIdeals:
         return steps
 
     def _reduced(self, form: Form) -> tuple[Form, FieldElement]:
-        """Return a reduced ideal and x with which it is x·form."""
+        """Return a reduced ideal and x such that it is x·form."""
         *steps, reduced = self._path(form)
         return reduced, self._product([self.field.one, *map(self._step, steps)])
 
     def _cycle(self, start: Form) -> Iterator[Form]:
-        """Yield the reduced ideals of a class from a given one on."""
+        """Yield the reduced ideals of a class, starting from a given one."""
         yield start
         form = self._next(start)
         while self.D > 0 and form != start:
@@ -212,7 +213,7 @@ class ReducedIdeals:
         return self._path(self._composed(one, other)[0])[-1]
 
     def _factor(self, one: Form, other: Form) -> FieldElement:
-        """Return x with which the reduced ideal of a product is x·one·other."""
+        """Return x such that the reduced ideal of a product is x·one·other."""
         form, g = self._composed(one, other)
         x: FieldElement = self._reduced(form)[1] * flint.fmpq(1, g)
         return x
@@ -229,7 +230,7 @@ class ReducedIdeals:
 
 
 def _xgcd(a: int, b: int) -> tuple[int, int, int]:
-    """Return (g, u, v) with g = u·a + v·b, the greatest common divisor."""
+    """Return (g, u, v) with g = u·a + v·b the greatest common divisor."""
     u, v, s, t = 1, 0, 0, 1
     while b:
         q, (a, b) = a // b, (b, a % b)

@@ -1,6 +1,6 @@
 """A basis of the proved S-units of a number field: fundamental units, and S-units with triangular exponents.
 
-With it ideals are reduced to products of primes in S, and generators of principal ideals are found.
+It serves to reduce ideals to products of primes in S, and to find generators of principal ideals.
 """
 
 from __future__ import annotations
@@ -135,7 +135,9 @@ class SUnitBasis:
 
 
 def _nearest(c: flint.arb) -> int:
-    """Return an integer near the middle of a ball, which only makes a number shorter."""
+    """Return an integer near the middle of a ball. Any nearby integer is correct; a nearer one gives a
+    shorter number.
+    """
     whole = (c.mid() + flint.arb("0.5")).mid().floor().unique_fmpz()
     return 0 if whole is None else int(whole)
 

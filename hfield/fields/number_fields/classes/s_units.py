@@ -131,12 +131,12 @@ class SUnits:
                     return
 
     def smooth(self, x: FieldElement) -> dict[int, int] | None:
-        """Return the exponents of x at the primes of the base, or None if it has others."""
+        """Return the exponents of x at the primes of the base, or None if other primes divide it."""
         size, den = x.norm(), int(x.poly.denom())
         return self._exponents_at(int(size.p), int(size.q) * den, lambda P: P.valuation(x))
 
     def smooth_ideal(self, a: FractionalIdeal) -> dict[int, int] | None:
-        """Return the exponents of an ideal at the primes of the base, or None if it has others."""
+        """Return the exponents of an ideal at the primes of the base, or None if other primes divide it."""
         return self._exponents_at(
             int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.basis))
         )
@@ -144,7 +144,7 @@ class SUnits:
     def _exponents_at(
         self, above: int, below: int, valuation: Callable[[PrimeIdeal], int]
     ) -> dict[int, int] | None:
-        """Return exponents at the primes of the base, or None if there are others.
+        """Return exponents at the primes of the base, or None if other primes occur.
 
         The norm is ``above`` over a divisor of a power of ``below``: of what is integral but at primes below.
         """
@@ -197,8 +197,8 @@ class SUnits:
         return math.prod(self._rational)
 
     def _reduce_base(self) -> None:
-        """Find for each prime of the base an element with this prime to the first power and otherwise
-        earlier primes.
+        """Find for each prime of the base an element that it divides exactly once, and whose other primes
+        come earlier.
         """
         self.reductions = {}
         small = max(7, abs(self.field.discriminant()).bit_length())
@@ -318,7 +318,7 @@ class SUnits:
 
     @cached_property
     def generators(self) -> list[FieldElement]:
-        """S-units that generate all others with roots of unity."""
+        """S-units that generate all S-units together with the roots of unity."""
         found = self.reduced_ideals
         assert found is not None
         unit = found.unit
@@ -328,7 +328,7 @@ class SUnits:
     def reductions(self) -> dict[int, tuple[FieldElement, dict[int, int]]]:
         """For each prime P of the base outside S, by index: a number x and the exponents of its primes.
 
-        P divides x once; all other primes of x lie in S or come before P.
+        P divides x exactly once; all other primes of x lie in S or come before P.
         """
         assert self.reduced_ideals is not None
         reductions = {}
@@ -400,7 +400,7 @@ class SUnits:
         return out
 
     def _independent(self, elements: list[FieldElement], rows: list[list[int]]) -> list[list[int]]:
-        """Return exponents of products that span, up to roots of unity, what all elements span.
+        """Return exponents of products that span, up to roots of unity, the same group as all elements.
 
         Units come first; they have short logarithms.
         """
@@ -544,7 +544,7 @@ class SUnits:
     def _root_at(self, ell: int, positions: Sequence[int]) -> tuple[int, FieldElement] | None:
         """Return an ℓ-th root of a product of some generators, and one that it replaces.
 
-        None if these generators, with roots of unity, have no such root that is not in their group.
+        None if these generators and roots of unity have no such root outside their group.
         """
         elements = [self.generators[k] for k in positions]
         if self.order_of_torsion % ell == 0:
@@ -569,7 +569,7 @@ class SUnits:
                 ]
                 self._saturated[ell] = [used[k] for k in pivots]
                 return None
-            # at prime ideals above one q elements of a subfield have the same residues
+            # at prime ideals above one q, elements of a subfield have equal residues
             if len({q for q, _ in used}) > len(elements) + 2:
                 for vector in kernel:
                     replaced = [k for k, c in enumerate(vector[: len(positions)]) if c]
@@ -608,7 +608,7 @@ class SUnits:
 class PowerResidues:
     """A homomorphism from the units modulo a prime q to ℤ/ℓ with kernel the ℓ-th powers, for ℓ | q − 1.
 
-    Logarithms are found by steps of two sizes, of the order of the square root of ℓ.
+    Logarithms are found by baby steps and giant steps, about the square root of ℓ of each.
     """
 
     def __init__(self, ell: int, q: int) -> None:
@@ -630,7 +630,7 @@ class PowerResidues:
 
 
 def simple_roots(field: NumberField, q: int) -> list[int]:
-    """Return the roots modulo a prime of the polynomial of a field, where all of them are simple; else []."""
+    """Return the roots of the field's polynomial modulo a prime, if all of them are simple; else []."""
     whole = field.polynomial.numer()
     if int(whole.discriminant() * whole.leading_coefficient()) % q == 0:
         return []
@@ -657,7 +657,7 @@ def norm_bound(frame: MaximalOrder) -> int:
 
 
 def minkowski(frame: MaximalOrder) -> int:
-    """Return a bound for the norms of integral ideals of which each class has one."""
+    """Return a bound such that every ideal class contains an integral ideal of at most this norm."""
     n, size = frame.n, abs(frame.field.discriminant())
     complex_ = frame.field.signature[1]
     with precision(128):
@@ -720,9 +720,9 @@ def _rounded(x: flint.arb, shift: int) -> int:
 def logarithms(
     frame: MaximalOrder, x: FieldElement, bits: int = 128, count: int | None = None
 ) -> list[flint.arb]:
-    """Return balls around the logarithms of absolute values at infinity, twice those at complex places.
+    """Return balls around the logarithms of the absolute values at infinity, doubled at complex places.
 
-    With ``count`` only those at the first places.
+    With ``count``, only those at the first places.
     """
     embeddings = frame.field.embeddings
     out = []
@@ -743,11 +743,11 @@ def logarithms(
 def root(frame: MaximalOrder, x: FieldElement, ell: int) -> FieldElement | None:
     """Return y with y^ℓ = x for a prime ℓ, or None.
 
-    Modulo a prime ideal of degree one x has one root, or its roots differ by roots of unity of the field, and
-    any of them serves.
+    Modulo a suitable prime ideal of degree one, x has one root, or its roots differ by roots of unity of the
+    field; then any of them suffices.
     """
     field = frame.field
-    # m·y is an integer where m^ℓ·x is
+    # m·y is an integer if m^ℓ·x is
     scale = math.prod(p ** -(-e // ell) for p, e in _factors(int(frame.principal(x).denominator)))
     target = x * flint.fmpq(scale) ** ell
     several = roots_of_unity(frame)[0] % ell == 0
@@ -769,8 +769,8 @@ def _lifted_power_root(
 ) -> FieldElement | None:
     """Return y with y^m = x and a given residue, or None, for an algebraic integer x.
 
-    The residue is lifted to a power Pᵏ of the prime ideal of degree one, and made short. Numbers in Pᵏ are so
-    large that a root of x is found if there is one.
+    The residue is lifted to a power Pᵏ of the prime ideal of degree one, and reduced to a short number.
+    Nonzero numbers in Pᵏ are so large that a root of x is found if there is one.
     """
     field, n, (q, r) = frame.field, frame.n, prime
     weights = [1] * field.signature[0] + [2] * field.signature[1]
@@ -786,7 +786,9 @@ def _lifted_power_root(
 
 
 def _lifted_root(f: Sequence[int], r: int, q: int, digits: int) -> int:
-    """Return the root modulo q^digits of a polynomial that is r modulo q, where r is simple."""
+    """Return the root of a polynomial modulo q^digits that is congruent to r modulo q, where r is a simple
+    root.
+    """
     slope = [k * c for k, c in enumerate(f)][1:]
     known = 1
     while known < digits:

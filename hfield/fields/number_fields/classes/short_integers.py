@@ -1,8 +1,8 @@
-"""Short integers of a number field: all that are small at all infinite places, and bounds of units from
-them.
+"""Short integers of a number field: all that are small at all infinite places, and bounds for units derived
+from them.
 
-The length of x is T₂(x) = Σ |xᵥ|², summed over the n embeddings. Elements are found in floating point, with
-more room than rounding can take; what is small is listed in arrays.
+The length of x is T₂(x) = Σ |xᵥ|², summed over the n embeddings. Elements are enumerated in floating point,
+with a tolerance that exceeds the rounding errors, and stored in arrays.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ Floats = npt.NDArray[np.float64]
 class ShortIntegers:
     """The integers x ≠ 0 with T₂(x) ≤ ``length``, one of ±x, shortest first.
 
-    ``length`` is chosen so that they are a few hundred. ``coordinates`` are those in the integral basis,
-    ``norms`` absolute values of norms, 0 in place of those above 2⁵⁰.
+    ``length`` is chosen so that there are a few hundred. ``coordinates`` are the coordinates in the integral
+    basis, ``norms`` the absolute values of the norms, with 0 in place of those above 2⁵⁰.
     """
 
     def __init__(self, frame: MaximalOrder, conjugates: flint.fmpz_mat) -> None:
@@ -70,7 +70,9 @@ class ShortIntegers:
         return np.array(out)
 
     def _enumerated(self, length: float) -> Floats:
-        """Return the coordinates in the reduced basis of all that are so short (Fincke and Pohst)."""
+        """Return the coordinates in the reduced basis of all elements of at most this length (Fincke and
+        Pohst).
+        """
         triangle, n = self._triangle, self.frame.n
         x, left = np.zeros((1, 0)), np.array([length])
         for k in reversed(range(n)):
@@ -89,10 +91,10 @@ class ShortIntegers:
 
     @cached_property
     def is_exact(self) -> bool:
-        """Whether rounding changes lengths by less than :data:`SLACK`, and norms in the list by less than ½.
+        """Whether rounding changes lengths by less than :data:`SLACK`, and the listed norms by less than ½.
 
-        An error of a value is at most √K times ``error``; by the inequality of the means n − 1 other values
-        multiply to at most (K/(n − 1))^((n − 1)/2).
+        The error of a value is at most √K times ``error``. By the inequality of arithmetic and geometric
+        means, the product of the n − 1 other values is at most (K/(n − 1))^((n − 1)/2).
         """
         n, length = self.frame.n, self.length
         error = n * float(np.linalg.cond(self._triangle)) * 2.0**-50
@@ -104,13 +106,14 @@ class ShortIntegers:
         return element_of(self.field, [flint.fmpq(int(c)) for c in self.coordinates[k]])
 
     def least_regulator(self, torsion_order: int) -> flint.arb:
-        """Return a proved lower bound of the regulator, 0 if none is seen. The unit rank is positive.
+        """Return a proved lower bound for the regulator, or 0 if none is found. The unit rank is positive.
 
-        For a unit that is not listed, nor its inverse, T₂ is above K = ``length`` for both. With x the
-        logarithms of the |εᵥ|² at the n embeddings, let a and b be the sums of x² over the positive x and the
-        others. Then K − n ≤ e·ψ(√(a/e)) + b/2 and the same with a and b exchanged, for ψ(t) = eᵗ − 1 − t, and
-        e = 2 where all places are complex, else 1. So a + b is least for a = b (docs/explanation/trust.md).
-        With the least square of the units that are listed this bounds their lattice from below, by Hermite.
+        If neither a unit nor its inverse is listed, T₂ is above K = ``length`` for both. Let x be the
+        logarithms of the |εᵥ|² at the n embeddings, and let a and b be the sums of x² over the positive x and
+        over the others. Then K − n ≤ e·ψ(√(a/e)) + b/2 and the same with a and b exchanged, for ψ(t) = eᵗ − 1
+        − t, where e = 2 if all places are complex, else 1. So a + b is least for a = b
+        (docs/explanation/trust.md). Together with the listed units this gives the least square in the lattice
+        of units, which bounds the regulator from below by Hermite's inequality.
         """
         real, complex_ = self.field.signature
         rank, n = real + complex_ - 1, self.frame.n
@@ -133,7 +136,7 @@ class ShortIntegers:
 
 
 def shortest_logarithm(n: int, e: int, length: float) -> float:
-    """Return a lower bound of Σ log²|εᵥ| over n embeddings, for units ε with T₂(ε), T₂(1/ε) > ``length``."""
+    """Return a lower bound for Σ log²|εᵥ| over n embeddings, for units ε with T₂(ε), T₂(1/ε) > ``length``."""
     low, high = 0.0, 64.0
     for _ in range(60):
         u = (low + high) / 2

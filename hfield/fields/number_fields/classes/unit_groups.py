@@ -1,6 +1,6 @@
 """Unit groups of number fields: fundamental units, torsion, regulator, and the totally positive units.
 
-The units are the proved S-units with exponents 0 (:mod:`hfield.fields.number_fields.classes.s_units`).
+The units are the proved S-units whose exponents are 0 (:mod:`hfield.fields.number_fields.classes.s_units`).
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class UnitGroup(Certified):
 
     @cached_property
     def regulator(self) -> flint.arb:
-        """A ball of flint that contains the regulator; 1 where the rank is 0."""
+        """A ball of flint that contains the regulator; 1 if the rank is 0."""
         return self._basis.s.covolume(self._basis.units, [[] for _ in self._basis.units])
 
     @cached_property

@@ -1,9 +1,10 @@
 """The exact value ζ_K(−1) for a totally real field K, by Siegel's formula.
 
-Restricted to the diagonal, Hecke's Eisenstein series of weight 2 is a modular form of weight 2n for SL₂(ℤ),
-with the constant term ζ_K(−1) and the l-th coefficient 2ⁿ·Σ σ₁(ν·D), summed over the totally positive ν of
-trace l in the inverse of the different D. Its product with E_w/Δʳ, of weight 2, has no constant term, so that
-the r coefficients after the constant term give this one (C. L. Siegel, *Nachr. Akad. Wiss. Göttingen*, 1969).
+Restricted to the diagonal, Hecke's Eisenstein series of weight 2 is a modular form of weight 2n for SL₂(ℤ).
+Its constant term is ζ_K(−1), and its l-th coefficient is 2ⁿ·Σ σ₁(ν·D), summed over the totally positive ν of
+trace l in the inverse of the different D. The product with E_w/Δʳ has weight 2 and constant term 0, so the r
+coefficients after the constant term determine the constant term (C. L. Siegel, *Nachr. Akad. Wiss.
+Göttingen*, 1969).
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ MAX_ELEMENTS = 2_000_000
 
 @lru_cache(maxsize=1024)
 def zeta_minus_one(ring: NumberField) -> Fraction:
-    """Return ζ_K(−1). Raises :class:`RingError` where K is not totally real, :class:`TooLargeError`."""
+    """Return ζ_K(−1). Raises :class:`RingError` if K is not totally real, and :class:`TooLargeError`."""
     frame = integers(ring)
     n = frame.n
     if frame.field.signature != (n, 0):
@@ -96,7 +97,7 @@ class _Sums:
         self.conjugates = self._conjugates()
 
     def _conjugates(self) -> list[list[int]]:
-        """Return the conjugates of the basis times 2^DIGITS, place by place, less than 1 away."""
+        """Return the conjugates of the basis times 2^DIGITS, place by place, with errors below 1."""
         embeddings, places = self.frame.field.embeddings, range(self.frame.n)
         elements = [element_of(self.frame.field, row) for row in self.basis.tolist()]
         values = [[embeddings.value(x.poly, k, 2 * DIGITS).real for x in elements] for k in places]
@@ -111,11 +112,11 @@ class _Sums:
                     yield prime, e
 
     def coefficient(self, trace: int) -> int:
-        """Return the sum of the divisor sums over the totally positive elements of a trace."""
+        """Return the sum of the divisor sums over the totally positive elements of a given trace."""
         return sum(self._divisor_sum(x) for x in self._positive(trace))
 
     def _positive(self, trace: int) -> Iterator[FieldElement]:
-        """Yield the totally positive elements: squares of their conjugates sum to at most l²."""
+        """Yield the totally positive elements; the squares of their conjugates add up to at most l²."""
         for row in _points(self.gram, trace, Fraction(trace * trace)):
             error = sum(map(abs, row))
             if any(sum(map(mul, row, c)) < -error for c in self.conjugates):
@@ -141,15 +142,16 @@ class _Sums:
 
 
 def _near(x: flint.arb) -> int:
-    """Return an integer at distance less than 1 from the number in a narrow ball."""
+    """Return an integer at distance less than 1 from the number enclosed in a narrow ball."""
     assert x.rad() < 0.5
     return int((x.mid() + flint.arb(0.5)).mid().floor().unique_fmpz())
 
 
 def _points(gram: list[list[Fraction]], last: int, bound: Fraction) -> Iterator[list[int]]:
-    """Yield the integer vectors with a given last entry on which a definite form is at most a bound.
+    """Yield the integer vectors with a given last entry at which a definite form is at most a given bound.
 
-    The form is a sum of dₖ·(xₖ + Σ m[k][j]·xⱼ)², j > k; entries are chosen from the last (Fincke and Pohst).
+    The form is a sum of dₖ·(xₖ + Σ m[k][j]·xⱼ)², j > k; entries are chosen from the last to the first (Fincke
+    and Pohst).
     """
     n = len(gram)
     g = [row[:] for row in gram]

@@ -1,4 +1,4 @@
-"""The arithmetic of quadratic fields as global fields, where it is faster than that of number fields."""
+"""The arithmetic of quadratic fields as global fields, faster than that of general number fields."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class QuadraticArithmetic(NumberFieldArithmetic):
     def hilbert_symbol(
         self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
     ) -> int:
-        """Return the symbol; at a lone place above 2 the norms of a and b are factored."""
+        """Return the symbol; at the only place above 2 the norms of a and b are factored."""
         x, y = (pair(self.ring(x)) for x in (a, b))
         with known_primes(factors):
             return hilbert_symbol_quadratic(self.ring, x, y, place)
@@ -46,11 +46,11 @@ class QuadraticArithmetic(NumberFieldArithmetic):
         return ramified_places_quadratic(self.ring, a, b)
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[PrimeIdeal, ...]:
-        """Return none: all ramified places are found quickly."""
+        """Return nothing: all ramified places are found quickly."""
         return ()
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return a point of the conic, or, for rational a and b, a square root of d over ℚ less √d."""
+        """Return a point of the conic or, for rational a and b, a square root of d over ℚ minus √d."""
         ring = self.ring
         (a, s), (b, t) = map(pair, form.constants)
         if s or t:
@@ -72,5 +72,5 @@ class QuadraticArithmetic(NumberFieldArithmetic):
         return prime_at(place) if isinstance(place, QuadraticPrime) else None
 
     def evidence(self, c: Constants, places: Iterable[object]) -> Iterator[Mapping[str, object]]:
-        """Yield the evidence; prime ideals have one text only."""
+        """Yield the evidence; prime ideals have only one text."""
         return GlobalField.evidence(self, c, places)

@@ -1,4 +1,4 @@
-"""The places of quadratic number fields ℚ(√d): prime ideals by the image of √d, and infinite places."""
+"""The places of quadratic number fields ℚ(√d): prime ideals given by the image of √d, and infinite places."""
 
 from __future__ import annotations
 
@@ -21,12 +21,11 @@ if TYPE_CHECKING:
 
 
 class QuadraticPrime(PrimeIdeal):
-    """A prime ideal of ℚ(√d) above p. ``root`` is the image of √d where p splits, else None.
+    """A prime ideal of ℚ(√d) above p. ``root`` is the image of √d if p splits, else None.
 
-    The image is taken modulo p, modulo 4 for p = 2. The text (``"5"`` for an inert prime,
-    ``"(7, sqrt(2)-3)"``, ``"(2, sqrt(2))"``) is read back by the field.
-    What other prime ideals compute when they are made, such as
-    idempotents, is computed here on first use.
+    The image is taken modulo p, or modulo 4 for p = 2. The field reads back the text (``"5"`` for an inert
+    prime, ``"(7, sqrt(2)-3)"``, ``"(2, sqrt(2))"``). Attributes that other prime ideals compute at
+    construction, such as idempotents, are computed here on first use.
     """
 
     field: QuadraticField
@@ -66,7 +65,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @cached_property
     def pi(self) -> FieldElement:  # type: ignore[override]
-        """A number that generates the ideal together with p, at p."""
+        """A number that, together with p, generates the ideal locally at p."""
         return self._general.pi
 
     @cached_property
@@ -81,7 +80,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @cached_property
     def residue(self) -> Polynomial:
-        """The polynomial over GF(p) that makes the residue field."""
+        """The polynomial over GF(p) that defines the residue field."""
         return self._general.residue
 
     @cached_property
@@ -106,16 +105,16 @@ class QuadraticPrime(PrimeIdeal):
 
     @property
     def short_name(self) -> str:
-        """The text in names of completions: p, or with the image of √d where p splits.
+        """The text used in names of completions: p alone, or with the image of √d if p splits.
 
-        Above 2 it names the place only: √d − root generates another ideal there.
+        Above 2 the text names only the place: there √d − root generates another ideal.
         """
         gen = self.field.gen_name
         return str(self.p) if self.root is None else f"({self.p}, {gen}-{self.root})"
 
     @property
     def data(self) -> dict[str, object]:
-        """The ideal as JSON data: p, with the root where there are two."""
+        """The ideal as JSON data: p, with the root if there are two ideals."""
         if self.root is None:
             return {"kind": "number", "n": self.p}
         return {"kind": "split", "n": self.p, "root": self.root}
@@ -124,7 +123,7 @@ class QuadraticPrime(PrimeIdeal):
 
     @property
     def generators(self) -> tuple[FieldElement, FieldElement]:
-        """Return p and a second number that generate the ideal."""
+        """Return p and a second number that together generate the ideal."""
         p, root = self.field(self.p), self.field.gen
         if self.f == 2:
             return p, p
@@ -135,14 +134,14 @@ class QuadraticPrime(PrimeIdeal):
 
     @property
     def root_of_omega(self) -> int:
-        """The residue of ω modulo an ideal with p residues."""
+        """The residue of ω modulo an ideal with residue field ℤ/p."""
         p, d, r = self.p, self.d, self.root or 0
         if p == 2:
             return (r + 1) // 2 % 2 if d % 4 == 1 else d % 2
         return (r + 1) * (p + 1) // 2 % p if d % 4 == 1 else r
 
     def valuation(self, x: FieldElement | int | Fraction) -> int:
-        """Return the order of x ≠ 0 at P. Raises :class:`RingError` for 0."""
+        """Return the valuation of x ≠ 0 at P. Raises :class:`RingError` for 0."""
         p, y = self.p, self.field(x)
         if not y:
             raise RingError("0 has no valuation: it lies in every power of a prime ideal")
@@ -167,7 +166,7 @@ class QuadraticPrime(PrimeIdeal):
 
 
 class QuadraticRealPlace(RealPlace):
-    """A real place of ℚ(√d), "inf+" where √d is positive, "inf-" where it is negative."""
+    """A real place of ℚ(√d): "inf+" if √d is positive, "inf-" if it is negative."""
 
     field: QuadraticField
 
@@ -213,7 +212,9 @@ def _order(x: Fraction, p: int) -> int:
 
 
 def quadratic_primes_above(field: QuadraticField, p: int) -> tuple[QuadraticPrime, ...]:
-    """Return the one or two prime ideals of ℚ(√d) above the prime p, by the image of √d ascending."""
+    """Return the one or two prime ideals of ℚ(√d) above the prime p, in ascending order of the
+    image of √d.
+    """
     d = field.d
     roots: list[int | None]
     if p == 2:

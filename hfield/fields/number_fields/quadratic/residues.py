@@ -1,7 +1,7 @@
-"""Prime ideals of quadratic number fields with residue fields, as conics, evidence and completions need them.
+"""Prime ideals of quadratic number fields with residue fields, for conics, evidence and completions.
 
-They compute with pairs of rational numbers where prime ideals of other number fields do with polynomials, and
-elements known to some digits are written by them; ω is as :mod:`.places` has it.
+They compute with pairs of rational numbers, whereas prime ideals of other number fields use polynomials.
+Elements known to some digits are written by them; ω is as in :mod:`.places`.
 """
 
 from __future__ import annotations
@@ -29,10 +29,11 @@ if TYPE_CHECKING:
 
 
 class DegreeOne(PrimeResidues):
-    """A prime ideal with residue field ℤ/p, where ω is ``root``. ``index`` is 2 if p ramifies, else 1.
+    """A prime ideal with residue field ℤ/p, in which ω becomes ``root``. ``index`` is 2 if p ramifies, else
+    1.
 
-    ``uniformiser`` and ``inverse_uniformiser`` have valuation 1 and −1 here, and the second is integral at
-    all other primes; they are no inverses.
+    ``uniformiser`` has valuation 1 here and ``inverse_uniformiser`` −1; the second is integral at all other
+    primes. They are not inverse to each other.
     """
 
     def __init__(self, place: QuadraticPrime) -> None:
@@ -52,7 +53,7 @@ class DegreeOne(PrimeResidues):
         return self.number_field(x)
 
     def valuation(self, x: FieldElement) -> int:
-        """Return the order of a nonzero number at this prime."""
+        """Return the valuation of a nonzero number at this prime."""
         return self.place.valuation(x)
 
     def reduce(self, x: FieldElement) -> int:
@@ -63,7 +64,7 @@ class DegreeOne(PrimeResidues):
         return int(self.near(u, v, 1))
 
     def truncated(self, x: FieldElement, n: int) -> FieldElement:
-        """Return what x is up to the n-th power of the ideal: rational, or u + v·π where p ramifies."""
+        """Return x truncated at the n-th power of the ideal: a rational number, or u + v·π if p ramifies."""
         u, v = integer_coordinates(self.place.d, x)
         if self.index == 1:
             return self.number_field(self.near(u, v, n))
@@ -71,7 +72,7 @@ class DegreeOne(PrimeResidues):
         return self.uniformiser * odd + truncated(u - v * self._shift, self.modulus, (n + 1) // 2)
 
     def near(self, u: Fraction, v: Fraction, n: int) -> Fraction:
-        """Return the least rational number ≥ 0 that is u + v·ω up to pⁿ, at a prime that splits."""
+        """Return the least rational number ≥ 0 that agrees with u + v·ω up to pⁿ, at a prime that splits."""
         trace, constant = minimal_of_omega(self.place.d)
         r, modulus = self.root, self.modulus
         target = self.modulus ** max(n + remove(v.denominator, self.modulus)[0], 1)
@@ -82,7 +83,7 @@ class DegreeOne(PrimeResidues):
 
 
 class Inert(ResidueField):
-    """A prime number p that stays prime, with residue field GF(p²)."""
+    """A prime number p that is inert, with residue field GF(p²)."""
 
     index = 1
 
@@ -109,21 +110,21 @@ class Inert(ResidueField):
         return self.place.field(int(x[0])) + self.omega * int(x[1])
 
     def valuation(self, x: FieldElement) -> int:
-        """Return the order of a nonzero number at this prime."""
+        """Return the valuation of a nonzero number at this prime."""
         return self.place.valuation(x)
 
     def truncated(self, x: FieldElement, n: int) -> FieldElement:
-        """Return u + v·ω with the least u, v ≥ 0 that is x up to pⁿ."""
+        """Return u + v·ω with the least u, v ≥ 0 that agrees with x up to pⁿ."""
         u, v = (truncated(c, self.below, n) for c in integer_coordinates(self.place.d, x))
         return self.omega * v + u
 
     def reduce(self, x: FieldElement) -> Polynomial:
-        """Return the class of a number without p in its denominator."""
+        """Return the class of a number whose denominator p does not divide."""
         u, v = (self.scalar(self.base(y)) for y in integer_coordinates(self.place.d, x))
         return u + v * self.field.gen.num
 
 
 @lru_cache(maxsize=256)
 def prime_at(place: QuadraticPrime) -> DegreeOne | Inert:
-    """Return the prime ideal that a finite place is."""
+    """Return the prime ideal of a finite place."""
     return Inert(place) if place.f == 2 else DegreeOne(place)

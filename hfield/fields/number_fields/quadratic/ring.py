@@ -58,7 +58,7 @@ class QuadraticField(NumberField):
 
     @property
     def data(self) -> dict[str, object]:
-        """The field by the number under the root."""
+        """The number under the root, as JSON data."""
         return {"kind": "quadratic field", "d": self.d}
 
     def in_words(self) -> str:
@@ -77,7 +77,9 @@ class QuadraticField(NumberField):
         return {}
 
     def images_in(self, target: Ring[S]) -> dict[str, S]:
-        """Return what I is in a number field that has no such name, for functions with such constants."""
+        """Return the image of I in a number field without a name for it; functions with constants in this
+        field need it.
+        """
         is_number_field = isinstance(target, NumberField)
         if self.d != -1 or not is_number_field:
             return {}
@@ -85,7 +87,7 @@ class QuadraticField(NumberField):
         return {} if root is None else {"I": root}
 
     def __call__(self, x: object) -> FieldElement:
-        """Turn a rational number, an element or a surd in ℚ(√d) into an element, read a text.
+        """Convert a rational number, an element or a surd in ℚ(√d) to an element; read a text.
 
         Raises :class:`CoercionError`.
         """
@@ -117,7 +119,7 @@ class QuadraticField(NumberField):
         return sympy_of(self.as_surd(self.gen)) if list(polynomial) == [-self.d, 0, 1] else None
 
     def closed_form(self, x: sympy.Expr) -> FieldElement:
-        """Return the number that a sympy expression without symbols is."""
+        """Return the number that a sympy expression without symbols represents."""
         from hfield.fields.algebraic.closed_forms import from_sympy
 
         value = from_sympy(x)
@@ -129,11 +131,13 @@ class QuadraticField(NumberField):
             raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}") from None
 
     def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
-        """Return the number as sympy has it."""
+        """Return the number as a sympy expression."""
         return sympy_of(self.as_surd(x))
 
     def embed_from(self, source: Ring) -> Callable[[Any], FieldElement] | None:
-        """Return the map of a field of degree 2 into this one; None for others, whose texts are read."""
+        """Return the map of a field of degree 2 into this one; None for others, which are mapped by their
+        texts.
+        """
         if isinstance(source, NumberField) and source.degree == 2:
             return super().embed_from(source)
         return None
@@ -141,7 +145,7 @@ class QuadraticField(NumberField):
     # --- arithmetic --------------------------------------------------------------------------------
 
     def sqrt(self, x: FieldElement) -> FieldElement | None:
-        """Return the principal root, or None when it is not in the field."""
+        """Return the principal root, or None if it is not in the field."""
         root = self.as_surd(x).sqrt(within=self.d)
         return None if root is None else self._from_surd(root)
 
@@ -160,7 +164,7 @@ class QuadraticField(NumberField):
         return out
 
     def storage(self, constants: Constants) -> Storage:
-        """Store elements as eight ints over one denominator."""
+        """Return the storage of elements as eight ints over one denominator."""
         from hfield.fields.base.storage.fractions import FractionStorage
 
         return FractionStorage(self, constants, (self.d, 0), self._vector, self._element)
@@ -181,7 +185,7 @@ class QuadraticField(NumberField):
 
     @property
     def level(self) -> Fact:
-        """∞ for d > 0; else 1 for d = −1, 4 where −d ≡ 7 mod 8, and 2 for all others."""
+        """∞ for d > 0; else 1 for d = −1, 4 if −d ≡ 7 mod 8, and 2 for all others."""
         if self.d > 0:
             return Fact(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
         squares = self.minus_one_as_squares()
@@ -199,13 +203,13 @@ class QuadraticField(NumberField):
 
     @property
     def orderings(self) -> Fact:
-        """Two for d > 0, in which √d is positive or negative; none for d < 0."""
+        """Two for d > 0, one with √d positive and one with √d negative; none for d < 0."""
         if self.d < 0:
             return super().orderings
         return Fact(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
 
     def check_ordering(self, ordering: int) -> None:
-        """Refuse the number of an ordering that the field does not have."""
+        """Raise an error for the number of an ordering that the field does not have."""
         Ring.check_ordering(self, ordering)
 
     def sign(self, x: FieldElement, ordering: int = 0) -> int:
@@ -214,7 +218,7 @@ class QuadraticField(NumberField):
         return self.sign_at(self(x), 1 - ordering)
 
     def sign_at(self, x: FieldElement, index: int) -> int:
-        """Return the sign of x at a real place: 0 is that where √d is negative."""
+        """Return the sign of x at a real place; place 0 is the one at which √d is negative."""
         return int(self.as_surd(x).sign(0 if index else self.d))
 
     # --- integers and places -----------------------------------------------------------------------
@@ -272,7 +276,7 @@ def build(text: str) -> QuadraticField:
         if d is None:  # pragma: no cover - QQ gives rational numbers only
             raise AssertionError
         _, free = reduced(d.numerator * d.denominator) if d else (0, 1)
-        factorise(free)  # that it is squarefree is proved, or nothing is known of the field
+        factorise(free)  # either it is proved squarefree, or nothing is known about the field
     except UnfactoredError as error:
         raise RingError(
             f"QQ(sqrt({shorten(text)})) needs the primes of the discriminant, and factoring it failed: "
@@ -290,7 +294,9 @@ def build(text: str) -> QuadraticField:
 
 
 def common_quadratic_field(*elements: object) -> Ring | None:
-    """Return ℚ(√d) for numbers with one root, or None without any; raises RingError for several."""
+    """Return ℚ(√d) for numbers with one square root, None for numbers without; raises RingError for several
+    roots.
+    """
     roots = {n for x in elements if isinstance(x, Surd) for n in x.terms if n != 1}
     if len(roots) > 1:
         shown = " and ".join(map(shorten, elements))

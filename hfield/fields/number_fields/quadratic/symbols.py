@@ -1,9 +1,10 @@
-"""Hilbert symbols over quadratic number fields ℚ(√d), d squarefree, elements as pairs (u, v) = u + v√d.
+"""Hilbert symbols over quadratic number fields ℚ(√d), d squarefree, for elements given as pairs (u, v) = u +
+v√d.
 
-Above an odd prime the symbol is tame and read off a residue field; above a split 2 the completion
-is ℚ₂; at a real embedding the signs decide. Where 2 does not split there is one place above it, and
-the product formula gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14.
-That takes a fifth of the time of what serves all number fields.
+Above an odd prime the symbol is tame and read off the residue field. Above a split 2 the completion is ℚ₂. At
+a real embedding the signs decide. If 2 does not split, there is one place above it, and the product formula
+gives the symbol there. Voight, *Quaternion Algebras*, chapters 12 and 14. This takes a fifth of the time of
+the method for all number fields.
 """
 
 from __future__ import annotations
@@ -49,11 +50,12 @@ def integral(x: Pair) -> tuple[int, int]:
 
 
 def _local(v: QuadraticPrime, x: tuple[int, int]) -> tuple[int, int]:
-    """Return the valuation of x and a number in the residue class that decides its unit part.
+    """Return the valuation of x, and a number whose residue class determines the square class of its unit
+    part.
 
-    At a split place the unit is a p-adic integer modulo 8 or p; at a ramified one modulo p with
-    respect to the uniformiser √d; at an inert one the norm of the unit is returned, which is a square
-    modulo p exactly when the unit is one in GF(p²).
+    At a split place the unit is a p-adic integer modulo 8 or p; at a ramified place it is taken modulo p,
+    with respect to the uniformiser √d; at an inert place the norm of the unit is returned, which is a square
+    modulo p exactly if the unit is a square in GF(p²).
     """
     p, d = v.p, v.d
     size = x[0] * x[0] - d * x[1] * x[1]
@@ -90,7 +92,7 @@ def direct_symbol(v: Place, a: tuple[int, int], b: tuple[int, int]) -> int:
 
 
 def ramified_places_quadratic(field: QuadraticField, a: Pair, b: Pair) -> tuple[Place, ...]:
-    """Return the places of ℚ(√d) where ``(a, b | ℚ(√d))`` does not split, infinite ones last.
+    """Return the places of ℚ(√d) at which ``(a, b | ℚ(√d))`` does not split, infinite places last.
 
     Raises :class:`UnfactoredError` for a norm that is too hard to factor.
     """
@@ -111,7 +113,7 @@ def ramified_places_quadratic(field: QuadraticField, a: Pair, b: Pair) -> tuple[
 def hilbert_symbol_quadratic(field: QuadraticField, a: Pair, b: Pair, place: object) -> int:
     """Return the Hilbert symbol of two nonzero elements at a place of ℚ(√d).
 
-    Above a 2 that does not split the norms of a and b are factored. Raises :class:`UnfactoredError`.
+    Above a 2 that does not split, the norms of a and b are factored. Raises :class:`UnfactoredError`.
     """
     v = place_of_number_field(field, place)
     if is_dyadic(v):

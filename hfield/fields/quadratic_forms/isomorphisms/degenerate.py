@@ -1,9 +1,9 @@
 """Degenerate algebras, (t² + 4a)·b = 0, over a field: when they are isomorphic, and how.
 
-In characteristic not 2 they are F[√a] with an ideal of square 0 that √a anticommutes with, or, without
-√a, the exterior algebra of a plane. In characteristic 2 they are [a, 0), known by the class of a modulo
-all y² + y, or, with t = 0, commutative, F[√a, √b]: over a finite field or k(t), where [F : F²] ≤ 2, that is
-F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
+In characteristic not 2 they are F[√a] with an ideal of square 0 that anticommutes with √a, or, without √a,
+the exterior algebra of a plane. In characteristic 2 they are either [a, 0), determined by the class of a
+modulo all y² + y, or, for t = 0, the commutative algebra F[√a, √b]. Over a finite field or k(t), where [F :
+F²] ≤ 2, the latter is F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 """
 
 from hfield.core.product import Constants, Coordinates, Scalar
@@ -38,7 +38,7 @@ def embed_degenerate(ring: Ring, c: Constants, other: Constants) -> Pair | None:
 
 
 def _with_radical(ring: Ring, source: NormalForm, target: NormalForm) -> Pair | None:
-    """Send a root of a to a root of a and the ideal to the ideal, between normal forms (a, b), ab = 0."""
+    """Map a root of a to a root of a and the ideal to the ideal, between normal forms (a, b), ab = 0."""
     _, i, j, _ = basis_of(ring)
     swapped = [not ring.is_zero(form.b) for form in (source, target)]
     a, p = (

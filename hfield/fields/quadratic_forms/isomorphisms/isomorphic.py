@@ -37,7 +37,7 @@ __all__ = [
 class CoordinateIsomorphism:
     """An isomorphism of the algebra with constants ``source`` onto the one with constants ``target``.
 
-    ``images`` are those of e, i, j, k, as coordinates.
+    ``images`` contains the images of e, i, j, k, as coordinates.
     """
 
     ring: Ring
@@ -70,10 +70,11 @@ def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Scalar:
 def verified(
     ring: Ring, c: Constants, target: Constants, i: Coordinates, j: Coordinates
 ) -> CoordinateIsomorphism:
-    """Return the isomorphism that sends i and j to the given elements, after checking it.
+    """Return the isomorphism that maps i and j to the given elements, after checking it.
 
-    Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k; for a
-    degenerate algebra, where that is not enough, by elimination.
+    The check covers the relations and the independence of the images: ``tr(p·conj(q))`` on e, i, j, k is as
+    in the source. For a degenerate algebra, for which that is not enough, independence is checked by
+    elimination.
     """
     e = basis_of(ring)[0]
     k = multiply(target, i, j)
@@ -105,7 +106,7 @@ def verified(
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     """Return whether two algebras over the same field are isomorphic.
 
-    Raises :class:`UndecidedError` where the field has no theory for it.
+    Raises :class:`UndecidedError` if no theory is available for the field.
     """
     if _same(ring, c, other):
         return True
@@ -141,8 +142,8 @@ def _same(ring: Ring, c: Constants, other: Constants) -> bool:
 def isomorphism(ring: Ring, c: Constants, other: Constants) -> CoordinateIsomorphism | None:
     """Return an explicit isomorphism onto the algebra with constants ``other``, or None if there is none.
 
-    Split algebras are compared through M₂(F); a division algebra by finding i and j in the other.
-    Raises :class:`UndecidedError` as :func:`is_isomorphic`, or where none was found in bounded time.
+    Split algebras are compared through M₂(F); for a division algebra, i and j are found in the other algebra.
+    Raises :class:`UndecidedError` as :func:`is_isomorphic` does, and if nothing was found in bounded time.
     """
     e = basis_of(ring)
     if _same(ring, c, other):
@@ -176,7 +177,7 @@ def _primes_of_both(ring: Ring, *algebras: Constants) -> AbstractContextManager[
 
 
 def same_parent(ring: Ring, other: Ring) -> None:
-    """Refuse to compare algebras over different fields. Raises :class:`MixedParentsError`."""
+    """Raise :class:`MixedParentsError` unless two algebras are over the same field."""
     if ring != other:
         raise MixedParentsError(
             f"one algebra is over {ring.name}, the other over {other.name}: change the ring of one of them "
@@ -185,9 +186,9 @@ def same_parent(ring: Ring, other: Ring) -> None:
 
 
 def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordinates, Coordinates]:
-    """Return the images of i and j under some isomorphism, known to exist.
+    """Return the images of i and j under some isomorphism, which is known to exist.
 
-    Raises :class:`UndecidedError` when none was found in bounded time.
+    Raises :class:`UndecidedError` if none was found in bounded time.
     """
     source, target = normal_form(ring, c), normal_form(ring, other)
     middle = ring.one if target.kind == "artin-schreier" else ring.zero
@@ -208,7 +209,9 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
 def by_multiples(
     ring: Ring, outer: Constants, inner: Constants
 ) -> tuple[Coordinates, Coordinates] | None:
-    """Return multiples of two of i, j, k with the squares a and b of ``outer``, None without such roots."""
+    """Return multiples of two of i, j, k with the squares a and b of ``outer``; None if the roots needed do
+    not exist.
+    """
     units = basis_of(ring)[1:]
     squares = (inner.a, inner.b, -inner.a * inner.b)
     for chosen in itertools.permutations(range(3), 2):

@@ -1,7 +1,7 @@
 """Splitting: an explicit isomorphism with the 2 × 2 matrices over the field, from one zero divisor.
 
-A zero divisor q generates a left ideal A·q of dimension 2, on which A acts by multiplication from the left.
-For a nondegenerate algebra that action is an isomorphism onto M₂(F).
+A zero divisor q generates a left ideal A·q of dimension 2, on which A acts by left multiplication. For a
+nondegenerate algebra this action is an isomorphism onto M₂(F).
 """
 
 from collections.abc import Sequence
@@ -27,9 +27,9 @@ Matrix: TypeAlias = tuple[tuple[E, E], tuple[E, E]]
 
 @dataclass(frozen=True)
 class CoordinateSplitting:
-    """An isomorphism of the algebra with M₂(F): ``images`` are the matrices of e, i, j, k.
+    """An isomorphism of the algebra with M₂(F); ``images`` contains the matrices of e, i, j, k.
 
-    ``zero_divisor`` is the element of norm 0 it was made from, and ``reason`` says where that comes from.
+    ``zero_divisor`` is the element of norm 0 from which it was made, and ``reason`` its origin.
     """
 
     ring: Ring
@@ -77,15 +77,17 @@ class CoordinateSplitting:
 def split(ring: Ring, c: Constants) -> CoordinateSplitting | None:
     """Return an isomorphism with M₂(F), verified, or None for a division algebra.
 
-    Raises :class:`CoercionError` for a degenerate algebra, which is not simple, and
-    :class:`UndecidedError` where zero norms are not decided or the ring is not a field.
+    Raises :class:`CoercionError` for a degenerate algebra, which is not simple, and :class:`UndecidedError`
+    if the existence of zero norms is not decided or the ring is not a field.
     """
     answer = division_or_splitting(ring, c)
     return answer if isinstance(answer, CoordinateSplitting) else None
 
 
 def division_or_splitting(ring: Ring, c: Constants) -> CoordinateSplitting | ZeroNorm:
-    """Return the splitting, or the reason why there is no element of norm 0; errors as :func:`split`."""
+    """Return the splitting, or the reason why there is no element of norm 0; errors are as for
+    :func:`split`.
+    """
     if not ring.is_field:
         raise UndecidedError(f"{ring.no_field}: splitting is decided over fields only")
     if ring.is_zero(discriminant(ring, c)):
@@ -123,7 +125,7 @@ def _from_square_root(ring: Ring, c: Constants) -> CoordinateSplitting | None:
 
 
 def from_zero_divisor(ring: Ring, c: Constants, q: Coordinates) -> CoordinateSplitting:
-    """Return the splitting that a zero divisor of a nondegenerate algebra gives, after checking it."""
+    """Return the splitting that a zero divisor of a nondegenerate algebra determines, after checking it."""
     basis = basis_of(ring)
     products = [multiply(c, u, q) for u in basis]
     first = products[0]
@@ -162,7 +164,7 @@ def _verified(
 def _checked(
     ring: Ring, c: Constants, q: Coordinates, images: tuple[Matrix, Matrix, Matrix, Matrix]
 ) -> CoordinateSplitting:
-    """Check the relations, and that tr(m·adj(n)) is as in the algebra, which makes the images independent."""
+    """Check the relations, and that tr(m·adj(n)) is as in the algebra, so that the images are independent."""
     gram = pairing_matrix(ring, c)
     independent = all(
         ring.agree(_pairing(m, n), gram[r][s])
@@ -175,7 +177,9 @@ def _checked(
 
 
 def _pairing(m: Matrix[E], n: Matrix[E]) -> E:
-    """Return the trace of m times the adjugate of n: tr(p·conj(q)) for the elements behind them."""
+    """Return the trace of m times the adjugate of n; it equals tr(p·conj(q)) for the corresponding
+    elements.
+    """
     (a, b), (c, d) = m
     (p, q), (r, s) = n
     return a * s - b * r - c * q + d * p

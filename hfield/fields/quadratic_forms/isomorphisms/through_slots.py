@@ -1,7 +1,7 @@
 """Embed i and j of one algebra in an isomorphic one from a common slot, by three conics.
 
-Isomorphic algebras (a, b) and (p, q) have an e with (a, b) = (a, e) = (p, e) = (p, q). How it is found, and
-how conics are solved, is the field's business; given both, the rest is the same over every field.
+For isomorphic algebras (a, b) and (p, q) there is an e with (a, b) = (a, e) = (p, e) = (p, q). Each field has
+its own methods to find e and to solve conics; the rest is the same over every field.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def _times_norm(
 def conic_point(ring: Ring, c: Constants) -> tuple[Scalar, Scalar, Scalar]:
     """Return ``(w, x, y)`` ≠ 0 with ``w² + t·wx − a·x² − b·y² = 0`` for a split algebra.
 
-    A zero divisor q gives the plane q·A of elements of norm 0, which meets ⟨e, i, j⟩.
+    A zero divisor q determines the plane q·A of elements of norm 0, which intersects ⟨e, i, j⟩.
     """
     q = zero_norm(ring, c).element
     assert q is not None, "the algebra is split"

@@ -1,10 +1,10 @@
 """Leading terms: norms whose four terms never cancel, over rational functions in several variables.
 
-An order of the variables, each small or large, makes a valuation of k(x, y, …) with values in ℤⁿ, ordered as
-in a dictionary: that of a polynomial is the least exponent in it. Where v(a) and v(b) are independent modulo
-2, the terms of w² − a·x² − b·y² + ab·z² have four different values, and their sum is 0 only if all are. For
-[a, b), with v(a) < 0 as well, w·x is larger than the lesser of w² and a·x², its value being larger than half
-the sum of theirs. Nothing in this depends on k, nor on its characteristic.
+An order of the variables, each small or large, defines a valuation of k(x, y, …) with values in ℤⁿ, ordered
+lexicographically: the value of a polynomial is its least exponent. If v(a) and v(b) are independent modulo 2,
+the terms of w² − a·x² − b·y² + ab·z² have four different values, so their sum is 0 only if all are 0. For [a,
+b) with also v(a) < 0, the term w·x has a larger value than the smaller of w² and a·x², because its value
+exceeds half the sum of theirs. Nothing here depends on k or its characteristic.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ class ExpandedConstants(Protocol):
 
     @property
     def expanded_in(self) -> tuple[str, ...]:
-        """The variables; () where elements have none after all."""
+        """The variables; () if elements have no leading terms after all."""
 
     def parts(self, x: Scalar) -> Sequence[RationalFunction]:
-        """Return the fractions ``num/den`` of which x consists; their leading terms do not cancel."""
+        """Return the fractions ``num/den`` whose sum is x; their leading terms do not cancel."""
 
 
 def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
@@ -72,7 +72,7 @@ def _placed(exponents: Exponents, order: Order) -> Exponents:
 
 
 def _value(parts: Sequence[RationalFunction], order: Order) -> Exponents:
-    """Return the exponents of the leading term of a nonzero element; elements of k count for nothing."""
+    """Return the exponents of the leading term of a nonzero element; elements of k do not contribute."""
     values = [
         tuple(a - b for a, b in zip(_least(c.num, order), _least(c.den, order), strict=True))
         for c in parts

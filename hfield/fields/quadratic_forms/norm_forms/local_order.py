@@ -1,13 +1,14 @@
-"""A maximal order over the completion at a place, and two elements of it that show the norm to have no zero.
+"""A maximal order over the completion at a place, and two elements of it that show that the norm has no zero.
 
-Where the algebra is a division algebra over the completion, the elements with integral norm are its maximal
-order M. Modulo the prime of the place, the norm on M involves two coordinates alone; on the other two it is
-divisible by the prime, and both halves are forms without zero over the residue field (Voight,
-*Quaternion Algebras*, theorem 13.3.11). M is found from any lattice inside it, by adding what is missing step
-by step; elements of the field itself span it, as they lie close to those of the completion.
+If the algebra is a division algebra over the completion, the elements with integral norm form its maximal
+order M. Modulo the prime of the place, the norm on M involves only two coordinates; on the other two it is
+divisible by the prime. Both halves are forms without zeros over the residue field (Voight, *Quaternion
+Algebras*, theorem 13.3.11). M is found from any lattice inside it by adding missing elements step by step. It
+is spanned by elements of the field itself, because these approximate those of the completion.
 
-Where the algebra splits over the completion, the same steps end at a plane on which the norm has a zero by
-Hensel's lemma. Nothing is factored, and the characteristic does not matter, nor that of the residues.
+If the algebra splits over the completion, the same steps end at a plane on which the norm has a zero by
+Hensel's lemma. Nothing is factored, and neither the characteristic of the field nor that of the residue field
+matters.
 """
 
 from __future__ import annotations
@@ -35,10 +36,11 @@ Form: TypeAlias = dict[tuple[int, int], E]
 
 @dataclass(frozen=True)
 class Halves:
-    """A basis of a lattice, and the norm form on it in two halves without additive zeros among the residues.
+    """A basis of a lattice, and the norm form on it in two halves that have no zeros over the residue field
+    where they are additive.
 
-    ``outside`` belongs to the norm itself and ``inside`` to the norm divided by the prime: forms and the
-    coordinates that they are in.
+    ``outside`` belongs to the norm itself and ``inside`` to the norm divided by the prime; each contains the
+    form and the indices of its coordinates.
     """
 
     basis: list[Vector]
@@ -47,31 +49,32 @@ class Halves:
 
 
 def unit_and_prime(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
-    """Return quaternions u, j in M: u generates its residue field, and N(j) is divisible by the prime once.
+    """Return quaternions u, j in M: u generates its residue field, and the prime divides N(j) exactly once.
 
-    None says that the norm form has a zero over the completion. The residue field is finite; ``one`` is the
+    None means that the norm form has a zero over the completion. The residue field is finite; ``one`` is the
     1 of the field.
     """
     found = _enlarged(place, c, one)
     if not isinstance(found, Halves) or _zero_of_halves(place, c, found) is not None:
         return None
-    # 1 is in M, so one of the two that span the residue field is no multiple of it
+    # 1 is in M, so one of the two vectors that span the residue field is not a multiple of it
     basis, (_, outside), (_, inside) = found.basis, found.outside, found.inside
     return next(basis[n] for n in outside if _generates(place, c, basis[n], one)), basis[inside[0]]
 
 
 def hyperbolic_plane(place: FinitePlace, c: Constants, one: Scalar) -> tuple[Vector, Vector] | None:
-    """Return quaternions q, u on whose span the norm has a zero over the completion, by Hensel's lemma.
+    """Return quaternions q, u such that the norm has a zero on their span over the completion, by Hensel's
+    lemma.
 
     There ``N(X·q + Y·u) = N(q)·X² + T·XY + N(u)·Y²`` with T = tr(q·conj(u)) ≠ 0, and the prime divides
-    N(q)·N(u)/T² (0 counts). None says that the norm form has no zero there. Arguments as above.
+    N(q)·N(u)/T², which may be 0. None means that the norm form has no zero there. The arguments are as above.
     """
     found = _enlarged(place, c, one)
     return _zero_of_halves(place, c, found) if isinstance(found, Halves) else found
 
 
 def _enlarged(place: FinitePlace, c: Constants, one: Scalar) -> Halves | tuple[Vector, Vector]:
-    """Enlarge the lattice of the basis e, i, j, k until it splits in two halves, or an isotropic plane
+    """Enlarge the lattice of the basis e, i, j, k until it splits into two halves, or an isotropic plane
     appears.
     """
     zero = one - one
@@ -113,7 +116,7 @@ def _plane(place: FinitePlace, form: Form, basis: list[Vector]) -> tuple[Vector,
 def _zero_of_halves(
     place: FinitePlace, c: Constants, halves: Halves
 ) -> tuple[Vector, Vector] | None:
-    """Return a plane with a zero where one of the halves has a zero among the residues, or None."""
+    """Return a plane with a zero if one of the halves has a zero over the residue field, else None."""
     for form, names in (halves.outside, halves.inside):
         v = _isotropic(place, form, names)
         if v is not None:
@@ -127,9 +130,10 @@ def _zero_of_halves(
 
 
 def _isotropic(place: FinitePlace, form: Form, names: list[int]) -> Vector | None:
-    """Return a zero over the residue field of a form in some coordinates; None where these are one or two.
+    """Return a zero over the residue field of a form in some coordinates; None is possible only for one or
+    two of them.
 
-    A regular form in three variables has zeros on half of all lines, so that a few random ones do.
+    A regular form in three variables has zeros on half of all lines, so a few random lines suffice.
     """
     k = {key: place.reduce(f) for key, f in form.items() if {*key} <= {*names}}
     rng = random.Random(1)
@@ -179,7 +183,7 @@ def _form(c: Constants, basis: list[Vector]) -> Form:
 
 
 def _half(c: Constants, v: Vector) -> Vector:
-    """Return a vector linear in v whose products with the coordinates of v add up to N(v)."""
+    """Return a vector, linear in v, whose product with v is N(v)."""
     a, t, b = c
     w, x, y, z = v
     return [w + t * x, -(a * x), -(b * (y + t * z)), a * (b * z)]
@@ -188,8 +192,8 @@ def _half(c: Constants, v: Vector) -> Vector:
 def _zeros(place: FinitePlace, form: Form, coordinates: Iterable[int]) -> list[Vector]:
     """Return a basis, in k⁴, of the zeros over the residue field of a form in some of the coordinates.
 
-    They are a subspace if the rest has no zero: the radical of the polar form, or in even characteristic the
-    zeros of the form on it, where it is additive.
+    They form a subspace if the form has no other zeros: the radical of the polar form or, in even
+    characteristic, the zeros on that radical, on which the form is additive.
     """
     used = sorted(coordinates)
     k = {key: place.reduce(f) for key, f in form.items() if {*key} <= {*used}}

@@ -1,7 +1,7 @@
 """Diagonal forms without zeros, shown by residue forms (T. A. Springer, Indagationes Math. 17 (1955)).
 
-At a discrete place with residue field k of characteristic not 2 a diagonal form is p + π·q with units for
-coefficients, and has no zero where the residues of p and q have none over k.
+At a discrete place with residue field k of characteristic not 2, a diagonal form is p + π·q with units as
+coefficients. It has no zero if the residues of p and q have none over k.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from hfield.fields.quadratic_forms.global_field import global_field
 
 
 def no_zero(F: Ring, form: Sequence[Scalar]) -> str | None:
-    """Return why Σ cₙ·xₙ² has no zero but 0, or None where residues, signs and squares do not show it.
+    """Return the reason why Σ cₙ·xₙ² has only the zero 0; None if residues, signs and squares do not show it.
 
     >>> from hfield import ring
     >>> F = ring("QQ(x,y)")

@@ -14,10 +14,10 @@ CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and t
 class ZeroNorm(Verdict[Coordinates]):
     """Whether there is a nonzero element of norm 0.
 
-    ``element`` holds its four coordinates, verified by multiplying out, or None. ``method`` is a
-    word or two for programs (``"squares"``, ``"ordering"``, ``"ramified places"``), ``reason`` a sentence
-    for people, ``places`` the ramified places where they were computed, and ``assumes`` the theorems that
-    the reason cites and nobody re-proves here.
+    ``element`` contains its four coordinates, verified by multiplication, or is None. ``method`` is a word or
+    two for programs (``"squares"``, ``"ordering"``, ``"ramified places"``), ``reason`` a sentence for people,
+    ``places`` the ramified places if they were computed, and ``assumes`` the theorems that the reason cites
+    and that are not proved again here.
     """
 
     method: str = ""
@@ -26,7 +26,7 @@ class ZeroNorm(Verdict[Coordinates]):
 
 
 def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: str) -> ZeroNorm:
-    """Wrap a zero-norm element after multiplying it out: q ≠ 0 and q·conj(q) = 0."""
+    """Return the answer with a zero-norm element, after checking that q ≠ 0 and q·conj(q) = 0."""
     w, x, y, z = q
     element = (w, x, y, z)
     if all(ring.vanishes(u) for u in element):
@@ -37,5 +37,5 @@ def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: st
 
 
 def none(method: str, reason: str, places: tuple[object, ...] = (), *assumes: str) -> ZeroNorm:
-    """Wrap a proof that only 0 has norm 0."""
+    """Return the answer that only 0 has norm 0, with its proof."""
     return ZeroNorm(False, reason, method=method, places=places, assumes=assumes)

@@ -1,7 +1,7 @@
-"""Nonzero elements of norm 0, which decide division, splitting and zero divisors.
+"""Nonzero elements of norm 0, which decide about division algebras, splitting and zero divisors.
 
-Every answer is evidence: an element that was multiplied out, or a proof with its reason. The
-procedures are tried from the cheap to the deep, and the first that applies decides.
+Every answer is evidence: an element verified by multiplication, or a proof with its reason. The procedures
+are tried in order of cost, and the first that applies decides.
 """
 
 import itertools
@@ -33,8 +33,8 @@ Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
     """Return a nonzero element of norm 0, or the proof that there is none.
 
-    Raises :class:`UndecidedError`, saying what was tried, where no procedure applies, and over
-    inexact rings, where nothing is ever proved.
+    Raises :class:`UndecidedError`, with the procedures tried, if none applies, and over inexact rings, over
+    which nothing is ever proved.
     """
     if not ring.is_exact:
         raise UndecidedError(
@@ -58,7 +58,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
         answer = _squares(ring, c, form)
         if answer is not None:
             return answer
-        ring.is_zero(discriminant(ring, c))  # says what is missing
+        ring.is_zero(discriminant(ring, c))  # raises the error that names the missing digits
     tried = ["elements with coordinates 0, 1, −1"]
     for name, procedure in _PROCEDURES:
         answer = procedure(ring, c, form)
@@ -74,7 +74,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
 def is_division(ring: Ring, c: Constants) -> bool:
     """Return whether the algebra is a division algebra, that is, whether every nonzero q has an inverse.
 
-    Over a ring that is not a field none is, for a scalar without inverse has none in the algebra
+    Over a ring that is not a field no algebra is one: a scalar without inverse has no inverse in the algebra
     either. Raises :class:`UndecidedError` as :func:`zero_norm` does.
     """
     if not ring.is_exact:
@@ -97,7 +97,9 @@ def is_division(ring: Ring, c: Constants) -> bool:
 
 
 def _small(ring: Ring, c: Constants) -> Coordinates | None:
-    """Return an element of norm 0 with few coordinates, all 0 or ±1, or None; the first is 1."""
+    """Return an element of norm 0 with few nonzero coordinates, each 0 or ±1, the first nonzero one 1; or
+    None.
+    """
     if ring.closure is not None:  # there zero tests are slow and square roots decide at once
         return None
     for q in _candidates(ring):
@@ -129,7 +131,7 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
 
 
 def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
-    """Return whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
+    """Return whether ``(t² + 4a)·b = 0`` in a field; None if too few digits of the constants are known."""
     try:
         return ring.is_zero(discriminant(ring, c))
     except UndecidedError:
@@ -150,7 +152,7 @@ def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
 
 
 def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
-    """Use a square root of i², j² or k² of the normal form: r² = i² makes r + i a zero divisor."""
+    """Use a square root of i², j² or k² of the normal form: if r² = i², then r + i is a zero divisor."""
     if form.kind != "symbol":
         return None
     zero, one = ring.zero, ring.one
@@ -190,7 +192,7 @@ def _ordering(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
 
 
 def _hamilton(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
-    """Decide H(F) by the level: −1 = u² + v² or not."""
+    """Decide H(F) by the level, that is, by whether −1 = u² + v²."""
     if form.kind != "symbol" or not all(ring.key(x) == ring.key(ring(-1)) for x in form.constants):
         return None
     level = ring.level
@@ -219,13 +221,15 @@ _PROCEDURES: list[tuple[str, Procedure]] = [
 
 
 def norm_evidence(algebra: str, ring: Ring, c: Constants, answer: ZeroNorm) -> Evidence | None:
-    """Return the evidence for an answer without element, or None where there is none that is checked."""
+    """Return the evidence for the answer that there is no element; None if no checkable evidence is
+    available.
+    """
     by = ({"by": answer.method},) if answer.method in ("ordering", "level") else ()
     candidates: Iterable[Evidence] = itertools.chain(by, evidence_at(ring, c, answer.places))
     return next((data for data in candidates if is_certified(algebra, ring.data, data)), None)
 
 
 def evidence_at(ring: Ring, c: Constants, places: Iterable[object]) -> Iterator[Evidence]:
-    """Yield the evidence at those places where the algebra is ramified and residues are finite."""
+    """Yield the evidence at those places at which the algebra is ramified and the residue field is finite."""
     field = global_field(ring)
     return iter(()) if field is None else field.evidence(c, places)

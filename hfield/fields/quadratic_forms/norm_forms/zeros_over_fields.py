@@ -1,4 +1,4 @@
-"""Elements of norm 0 over fields: explicit over finite fields, by places or by squares over others."""
+"""Elements of norm 0 over fields: explicit over finite fields, otherwise by places or by squares."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _root(ring: Ring, x: object) -> object:
 
 
 def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
-    """Decide by the ramified places; where there are none, solve the conic."""
+    """Decide by the ramified places; if there are none, solve the conic."""
     field = global_field(ring)
     if field is None:
         return by_leading_terms(ring, c, form)

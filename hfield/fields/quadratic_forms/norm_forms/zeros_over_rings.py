@@ -42,7 +42,9 @@ def zero_norm_integral(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 
 
 def _residues(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
-    """Answer over ℤ/n: for a prime p | n, n/p times a zero norm modulo p, as n divides p·(n/p)²."""
+    """Answer over ℤ/n: for a prime p | n, n/p times an element of norm 0 modulo p, because n divides
+    p·(n/p)².
+    """
     from hfield.fields.finite.names import GF
 
     n = ring.characteristic
@@ -55,7 +57,7 @@ def _residues(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 
 
 def _integers(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
-    """Answer over ℤ: as over ℚ, denominators cleared."""
+    """Answer over ℤ as over ℚ, clearing denominators."""
     from hfield.fields.rationals.ring import QQ
 
     answer = decide(QQ, Constants(*(QQ(fraction(x)) for x in c)))
@@ -71,8 +73,9 @@ def _integers(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm:
     """Decide over R[x, y, …] by specialising all variables but one.
 
-    An element of norm 0 with coprime polynomial coordinates stays one, and nonzero, where one variable
-    takes a value at which (t² + 4a)·b is not 0; so a division algebra at one point is one in general.
+    An element of norm 0 with coprime polynomial coordinates keeps norm 0 and stays nonzero if one variable
+    takes a value at which (t² + 4a)·b is not 0. So an algebra that is a division algebra at one point is a
+    division algebra.
     """
     easy = _roots(ring, c) or _monomials(ring, c)
     if easy:
@@ -124,7 +127,7 @@ def _specialise(x: SparsePolynomial, field: Ring[E], index: int, point: dict[int
 def _lift(
     ring: PolynomialRing, field: FractionField, index: int, q: Sequence[RationalFunction]
 ) -> list[flint.nmod_mpoly]:
-    """Clear the denominators of four rational functions and read them in the polynomial ring."""
+    """Clear the denominators of four rational functions, and convert them to the polynomial ring."""
     common = field.one
     for x in q:
         common = common * field.quotient((x * common).den, field.one.num)
