@@ -22,8 +22,8 @@ _WORDS = {
     ),
     "pl": (
         "Wirujący bąk",
-        "Bąk z rozdziału 3.3, poruszany kwaternionami. Przeciągnij, by obejrzeć go z innej strony; spacja"
-        " odtwarza i zatrzymuje, ? wymienia klawisze.",
+        "Bąk z rozdziału 3.3, poruszany kwaternionami. Przeciągnij, aby obejrzeć go z innej strony; spacja"
+        " odtwarza i zatrzymuje film, znak ? pokazuje listę klawiszy.",
     ),
 }
 
@@ -33,15 +33,17 @@ PLAYER = {  # texts of the page, with tags and quotes that tell them from words 
         "<title>The spinning top<": "<title>Wirujący bąk<",
         '<h1 class="unseen">The spinning top<': '<h1 class="unseen">Wirujący bąk<',
         "A spinning top in three dimensions: drag to orbit, scroll to zoom": (
-            "Wirujący bąk w trzech wymiarach: przeciągnij, by obrócić widok, przewiń, by przybliżyć"
+            "Wirujący bąk w trzech wymiarach: przeciągnij, aby obrócić widok; przewiń, aby przybliżyć"
         ),
         "<dt>space<": "<dt>spacja<",
         ">play or pause<": ">odtwórz lub zatrzymaj<",
-        ">one frame back or on; ten with shift<": ">klatka wstecz lub dalej; z klawiszem shift dziesięć<",
+        ">one frame back or on; ten with shift<": (
+            ">o klatkę wstecz lub naprzód; z klawiszem Shift o dziesięć<"
+        ),
         ">faster, slower<": ">szybciej, wolniej<",
         ">first and last frame<": ">pierwsza i ostatnia klatka<",
-        ">zoom (or scroll, or pinch)<": ">przybliż (albo przewiń lub rozsuń palce)<",
-        ">orbit (or drag)<": ">obróć widok (albo przeciągnij)<",
+        ">zoom (or scroll, or pinch)<": ">przybliż lub oddal (także przewijaniem lub dwoma palcami)<",
+        ">orbit (or drag)<": ">obróć widok (także przeciąganiem)<",
         ">all tops, or one alone<": ">wszystkie bąki lub jeden<",
         ">the initial view<": ">widok początkowy<",
         ">this list<": ">ta lista<",
@@ -55,11 +57,11 @@ PLAYER = {  # texts of the page, with tags and quotes that tell them from words 
         'title="keys (?)" aria-label="show the keys"': 'title="klawisze (?)" aria-label="pokaż klawisze"',
         "This page draws with WebGL, which this browser does not have or has switched off. Another "
         "browser, or hardware acceleration in its settings, will show the top.": (
-            "Ta strona rysuje przez WebGL, którego ta przeglądarka nie ma lub który jest wyłączony. Bąka "
-            "pokaże inna przeglądarka albo włączenie przyspieszenia sprzętowego w ustawieniach."
+            "Ta strona rysuje za pomocą WebGL, którego ta przeglądarka nie ma albo który jest wyłączony. "
+            "Użyj innej przeglądarki albo włącz w ustawieniach przyspieszenie sprzętowe."
         ),
         "The graphics are unavailable for a moment.": "Grafika jest chwilowo niedostępna.",
-        '<section id="curves" aria-label="over time"': '<section id="curves" aria-label="w czasie"',
+        '<section id="curves" aria-label="over time"': '<section id="curves" aria-label="przebieg w czasie"',
         '"label":"quaternions"': '"label":"kwaterniony"',
     },
 }

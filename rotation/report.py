@@ -19,9 +19,9 @@ WIDE = 7.0  # inches from which a figure takes the full width
 LETTERING = {  # of figures 2.4 and 2.5; the others have formulas alone
     "pl": {
         "the original": "oryginał",
-        "(a) as printed, O(θ) of example 3\n[cos θ, sin θ; sin θ, cos θ]": "(a) w druku, O(θ) z przykładu 3\n"
+        "(a) as printed, O(θ) of example 3\n[cos θ, sin θ; sin θ, cos θ]": "(a) w druku: O(θ) z przykładu 3\n"
         "[cos θ, sin θ; sin θ, cos θ]",
-        "(b) as printed for determinant −1\n[cos θ, −sin θ; sin θ, −cos θ]": "(b) w druku, wyznacznik −1\n"
+        "(b) as printed for determinant −1\n[cos θ, −sin θ; sin θ, −cos θ]": "(b) w druku: wyznacznik −1\n"
         "[cos θ, −sin θ; sin θ, −cos θ]",
         "(c) as it should be: reflections\n[cos θ, sin θ; sin θ, −cos θ]": "(c) poprawnie: odbicia\n"
         "[cos θ, sin θ; sin θ, −cos θ]",
@@ -41,8 +41,8 @@ _FIGURES: dict[str, tuple[str, str, dict[str, str]]] = {
             "2.1": "Współrzędne biegunowe i kartezjańskie",
             "2.2": "Obrót wektora wokół początku układu",
             "2.3": "Litera T",
-            "2.4": "Litera T obrócona",
-            "2.5": "Litera T odbita",
+            "2.4": "Obrócona litera T",
+            "2.5": "Odbita litera T",
         },
     ),
 }
@@ -55,6 +55,7 @@ class BenchmarkWords(TypedDict):
     head: tuple[str, ...]
     machine: str
     printed: str
+    point: str
     said: dict[str, str]
 
 
@@ -65,27 +66,31 @@ _BENCHMARK: dict[str, BenchmarkWords] = {
         "machine": "{points} points of float64, best frame; measured quickly when this page was made, on"
         " {processor}, {cores} cores. “hfield bench” measures more carefully.",
         "printed": "The thesis printed {printed}.",
+        "point": ".",
         "said": {},
     },
     "pl": {
         "title": "Test wydajności z rozdziału 3.2",
-        "head": ("sposób", "ms na klatkę, najlepsza", "× kopia", "× hfield"),
-        "machine": "{points} punktów float64, najlepsza klatka; zmierzone szybko przy tworzeniu tej strony,"
-        " na {processor}, rdzeni: {cores}. „hfield bench” mierzy staranniej.",
+        "head": ("sposób", "najlepszy czas klatki, ms", "× kopia", "× hfield"),
+        "machine": "{points} punktów typu float64, czas najlepszej klatki; krótki pomiar podczas tworzenia"
+        " tej strony, procesor: {processor}, liczba rdzeni: {cores}. „hfield bench” mierzy staranniej.",
         "printed": "W pracy: {printed}.",
+        "point": ",",
         "said": {
             "Test 1: one axis": "Test 1: jedna oś",
             "Test 2, quaternion model, as printed": "Test 2, model kwaternionowy, jak w druku",
             "Test 2, quaternion model, independent axes": "Test 2, model kwaternionowy, niezależne osie",
             "Test 2, matrix model": "Test 2, model macierzowy",
-            "434.9 s a run by quaternions, 385.2 s by matrices": "434,9 s kwaternionami, 385,2 s macierzami",
-            "444.5 s a run": "444,5 s",
-            "1763.7 s a run": "1763,7 s",
+            "434.9 s a run by quaternions, 385.2 s by matrices": (
+                "434,9 s na przebieg z kwaternionami, 385,2 s z macierzami"
+            ),
+            "444.5 s a run": "444,5 s na przebieg",
+            "1763.7 s a run": "1763,7 s na przebieg",
             "copy (np.copyto)": "kopia (np.copyto)",
             "plain numpy": "sam numpy",
             "thesis, quaternion": "praca, kwaternion",
             "thesis, matrix on lists": "praca, macierz na listach",
-            "thesis, matrix by np.matmul": "praca, macierz przez np.matmul",
+            "thesis, matrix by np.matmul": "praca, macierz z np.matmul",
         },
     },
 }
@@ -139,10 +144,7 @@ def benchmark_html(data: dict[str, Any], language: str) -> str:
         rows = [
             [
                 escape(said.get(r["way"], r["way"])),
-                f"{r['best_frame_ms']:.3g}"
-                if r["best_frame_ms"] < 1000
-                else f"{r['best_frame_ms']:.0f}",
-                *(_ratio(r[key]) for key in ("ratio_to_copy", "ratio_to_hfield")),
+                *(text.replace(".", words["point"]) for text in _figures(r)),
             ]
             for r in sorted(results, key=lambda r: float(r["best_frame_ms"]))
         ]
@@ -154,6 +156,13 @@ def benchmark_html(data: dict[str, Any], language: str) -> str:
             printed = said.get(test["printed"], test["printed"])
             parts.append(f"<p>{escape(words['printed'].format(printed=printed))}</p>")
     return "".join(parts)
+
+
+def _figures(result: dict[str, Any]) -> list[str]:
+    """Return the time of a frame and the ratios of one result as texts."""
+    time = result["best_frame_ms"]
+    ratios = (_ratio(result[key]) for key in ("ratio_to_copy", "ratio_to_hfield"))
+    return [f"{time:.3g}" if time < 1000 else f"{time:.0f}", *ratios]
 
 
 def _ratio(x: float | None) -> str:

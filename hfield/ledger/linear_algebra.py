@@ -65,7 +65,7 @@ class Centre(TemplateProposition):
             say("centre-divisors", list=", ".join(map(str, divisors))),
             say(
                 "centre-is",
-                list=special,
+                list=", ".join(map(str, special)),
                 rest=dimensions[0] if len(dimensions) == 1 else ", ".join(dimensions),
             ),
         )

@@ -35,7 +35,10 @@ _NAME = re.compile(
     "[eijk]+|[a-z]+[A-Z][A-Za-z]*"
 )  # products of the basis, names as programs have them
 _SLOT = re.compile(r"\{(\w+)\}")
+_DECIMAL = re.compile(r"-?\d+\.\d+(?:e-?\d+)?")
 _DEEPEST = 6  # phrases within phrases
+DECIMAL_COMMA = frozenset({"pl"})
+"""The languages that write 0,5 for 0.5."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +111,8 @@ class Translation:
     def _say(self, text: str, depth: int) -> str | None:
         if text in self._whole:
             return self._whole[text]
+        if _DECIMAL.fullmatch(text) and self._language in DECIMAL_COMMA:
+            return text.replace(".", ",")
         if is_formula(text, self._names):
             return _in_signs(text)
         for pattern, said in self._phrases if depth else ():

@@ -28,7 +28,7 @@ from hfield.ledger.wording import witness_text
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
 from hfield.report.chapters import Chapter
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
-from hfield.report.page_texts import Language, term
+from hfield.report.page_texts import Language, counted, term
 
 
 def page(
@@ -89,12 +89,12 @@ def _file(name: str) -> str:
 def _summary(rows: Sequence[Row], certificates: int, words: Words) -> str:
     """Typeset the numbers of claims and decisions by section and verdict, and the unexpected decisions."""
     claims = list(dict.fromkeys(row.claim for row in rows))
-    counts = tally(rows)
+    counts, language = tally(rows), words["lang"]
     figures = [
-        (len(claims), words["of_claims"], ""),
-        (len(rows), words["rows"], ""),
+        (len(claims), counted("claims", len(claims), language), ""),
+        (len(rows), counted("decisions", len(rows), language), ""),
         *((counts[v], words[v], v) for v in VERDICTS if counts[v]),
-        (certificates, words["certificates"], ""),
+        (certificates, counted("certificates", certificates, language), ""),
     ]
     tiles = "".join(
         f'<li class="{css}"><b>{_thousands(n)}</b> {label}</li>' for n, label, css in figures
@@ -353,7 +353,7 @@ def _erratum(erratum: Erratum, words: Language) -> str:
     if claim.note:
         facts.append((words["note"], words.html(claim.note, "p")))
     if erratum.witness:
-        facts.append((words["witness"], words.html(erratum.witness)))
+        facts.append((words["counterexample"], words.html(erratum.witness)))
     if erratum.failures:
         facts.append((words["there"], "".join(words.html(text, "p") for text in erratum.failures)))
     if claim.corrected is not None:

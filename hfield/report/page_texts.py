@@ -18,6 +18,7 @@ ENGLISH: Words = {key: said["en"] for key, said in _TABLE["words"].items()}
 POLISH: Words = {key: said["pl"] for key, said in _TABLE["words"].items()}
 LANGUAGES = {"en": ENGLISH, "pl": POLISH}
 _TERMS: Words = _TABLE["terms"]
+_COUNTED: dict[str, dict[str, list[str]]] = _TABLE["counted"]
 _NUMBERED = re.compile(r"(\D+) (\d[\d.]*)( proof)?")
 
 
@@ -42,6 +43,22 @@ def _polish(text: str) -> str:
         name = _TERMS.get(what, "")
         return name and f"{name} {number}" + (", dowód" if proof else "")
     return _TERMS.get(text, "")
+
+
+def counted(noun: str, n: int, language: str) -> str:
+    """Return a noun in the form that it has after the number n.
+
+    Polish has three forms: after 1, after numbers that end in 2, 3 or 4 but not in 12, 13 or 14, and
+    after all others.
+
+    >>> [counted("claims", n, "pl") for n in (1, 22, 12)]
+    ['stwierdzenie', 'stwierdzenia', 'stwierdzeń']
+    """
+    forms = _COUNTED[noun][language]
+    if n == 1:
+        return forms[0]
+    few = n % 10 in (2, 3, 4) and n % 100 not in (12, 13, 14)
+    return forms[1] if few else forms[-1]
 
 
 OURS = (

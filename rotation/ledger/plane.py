@@ -58,11 +58,9 @@ ANGLE_OF_POINT = (
 # fixes a nonzero vector, p − 1 is a divisor of 0.
 FOUR = Assertion("norm(p) == 1 => norm(p - 1) == 0")
 TWO_AND_THREE = (Assertion.of(THEOREM_4), theorem5.SO3_IS_COFACTORS, theorem5.FIXED_VECTOR)
-EVERY_N = (
-    "for n = 2, 3 and 4, every A in SO(n) is a rotation: it fixes all vectors but those of a plane"
-)
+EVERY_N = "for n = 2, 3 and 4, every A in SO(n) is a rotation: it fixes all vectors perpendicular to a plane"
 UP_TO_3 = (
-    "for n = 2 and 3, every A in SO(n) is a rotation: it fixes all vectors but those of a plane"
+    "for n = 2 and 3, every A in SO(n) is a rotation: it fixes all vectors perpendicular to a plane"
 )
 REAL_SPACE = "Rotations of the real space are meant."
 

@@ -52,6 +52,8 @@ def test_the_benchmark_lists_the_quickest_first():
     assert "A &lt;processor&gt;" in html
     assert "absent" not in html
     assert "434.9 s" in html
+    assert "<td>1.25</td>" in html
+    assert "<td>1,25</td>" in benchmark_html(MEASURED, "pl")
 
 
 @pytest.mark.slow
@@ -92,4 +94,4 @@ def test_what_the_benchmark_says_is_said_in_polish():
         assert test.title not in html
         assert not test.printed or test.printed not in html
     assert "jedna oś" in html
-    assert "434,9 s kwaternionami" in html
+    assert "434,9 s na przebieg z kwaternionami" in html

@@ -4,8 +4,19 @@ import re
 
 import pytest
 
+from anim.report import PLAYER
+from hfield.checker.glossary import (
+    COMPLEX_ROOT,
+    COMPLEX_ROOTS,
+    LIMITS,
+    ODD_DEGREE,
+    QUATERNION_ROOT,
+    REAL_ROOTS,
+    SIGN_CHANGE,
+)
 from hfield.cli import main
 from hfield.core.executors import InProcess
+from hfield.fields.names import ring
 from hfield.ledger.document import LedgerError, read_ledger
 from hfield.ledger.errata import errata
 from hfield.ledger.registry import claims
@@ -13,9 +24,12 @@ from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
 from hfield.ledger.translated import Translation, is_formula
 from hfield.ledger.wording import witness_text
+from hfield.prover.decide import decide
+from hfield.prover.polynomials.field_rules import norm_rule_of
+from hfield.prover.steps import sentences
 from hfield.report.markup import formula
 from hfield.report.page import Certificates, page
-from hfield.report.page_texts import Language
+from hfield.report.page_texts import OURS, POLISH, Language, counted
 from rotation.figures import FIGURES
 from rotation.report import LETTERING
 
@@ -66,10 +80,107 @@ def test_no_text_is_marked_as_english(whole):
     html = page(whole, Certificates([]), "pl")
     assert 'lang="en"' not in html
     assert "twierdzenie Cantora" in html
-    assert "rozwiń obie strony" in html
+    assert "rozwińmy obie strony" in html
     rest = re.sub(r"<style>.*</style>|<script.*</script>|<[^>]*>", " ", html, flags=re.DOTALL)
     assert ENGLISH.findall(PROGRAM.sub("", rest)) == []
     assert 'lang="en"' not in page(whole[:20], Certificates([]), "en").split("</head>")[1]
+
+
+def polish_texts():
+    """All Polish texts: of claims, steps of proofs, the page, the figures and the player."""
+    translation = Translation(claims(), "pl", OURS)
+    for said in translation._by_claim.values():
+        yield from (said.name, said.statement, said.note, said.holds, said.corrected)
+    yield from (said for _, said in translation._phrases)
+    yield from (translations["pl"] for translations in sentences().values())
+    yield from (*POLISH.values(), *LETTERING["pl"].values(), *PLAYER["pl"].values())
+
+
+def test_polish_typography():
+    """Quotations stand in „…”, dashes are short, measures have a decimal comma, and % has no space."""
+    wrong = re.compile(r"“|—| %|\d\.\d+(?=[°%]| s\b| rad\b)")
+    texts = list(polish_texts())
+    assert len(texts) > 900
+    assert [text for text in texts if wrong.search(text)] == []
+
+
+FIELDS = (
+    *(
+        "QQ",
+        "RR",
+        "CC",
+        "GF(2)",
+        "GF(7)",
+        "QQ(sqrt(2))",
+        "QQ(sqrt(-7))",
+        "QQ(sqrt(-3))",
+        "QQ(zeta(7))",
+    ),
+    *("QQ(cbrt(2))", "Qp(2)", "Qp(3)", "QQ(x)", "GF(3)(t)", "QQ(sqrt(-7))(t)", "QQ(sqrt(2))(t)"),
+    *("QQ(x,y)", "GF(3)(x,y)", "GF(7)((t))"),
+)
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_the_level_of_a_field_and_its_norms_have_polish_reasons(name):
+    translation, field = Translation([], "pl", OURS), ring(name)
+    first = "x" if "(x" in name else "-1"
+    rules = [norm_rule_of(field, a, b) for a, b in (("-1", "-1"), ("-1", "3"), (first, "-1"))]
+    reasons = [str(field.level), *(rule.fact for rule in rules if rule is not None)]
+    assert [reason for reason in reasons if translation.say(reason) is None] == []
+
+
+@pytest.mark.parametrize(
+    "theorem",
+    [ODD_DEGREE, LIMITS, SIGN_CHANGE, COMPLEX_ROOT, QUATERNION_ROOT, REAL_ROOTS, COMPLEX_ROOTS],
+)
+def test_the_theorems_that_a_proof_may_cite_have_a_polish_text(theorem):
+    assert Translation([], "pl", OURS).say(theorem)
+
+
+@pytest.mark.parametrize(
+    ("statement", "field"),
+    [
+        ("exists q: q*q*q == 2 + i", "QQ"),
+        ("norm(p*q) == norm(p)*norm(q)", "RDF"),
+        ("exists q: q*q == -1", "RDF"),
+        ("s*t == 1 => s == t", "ZZ"),
+    ],
+)
+def test_what_was_tried_has_a_polish_text(statement, field):
+    tried = decide(statement, field, timeout=2).tried
+    assert tried
+    assert [text for text in tried if Translation([], "pl", OURS).say(text) is None] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("the least number is 0.0", "najmniejszą liczbą jest 0,0"),
+        ("3 points", "liczba punktów: 3"),
+        ("the angle in frame 2 < the angle in frame 1.5", "kąt w klatce 2 < kąt w klatce 1,5"),
+    ],
+)
+def test_numbers_within_sentences(text, said):
+    assert Translation(claims(), "pl").say(text) == said
+
+
+@pytest.mark.parametrize(
+    ("form", "numbers"),
+    [
+        ("stwierdzenie", (1,)),
+        ("stwierdzenia", (2, 3, 4, 22, 34, 102)),
+        ("stwierdzeń", (0, 5, 11, 12, 14, 21, 101, 112, 271)),
+    ],
+)
+def test_nouns_after_numbers(form, numbers):
+    assert {counted("claims", n, "pl") for n in numbers} == {form}
+    assert [counted("claims", n, "en") for n in (0, 1, 2, 22)] == [
+        "claims",
+        "claim",
+        "claims",
+        "claims",
+    ]
 
 
 def test_texts_name_claims_that_there_are():
@@ -142,7 +253,7 @@ def test_a_ledger_of_ones_own_has_its_texts_beside_it(sheet):
     rows = decide_rows(rows_to_decide(read_ledger(sheet), []), InProcess())
     html = page(rows, Certificates([]), "pl", (), "sheet")
     assert "<p>Kwadrat elementu i</p>" in html
-    assert "policz strony" in html or "oblicz obie strony" in html
+    assert "policz strony" in html or "obliczmy obie strony" in html
     assert '<p lang="en">A note that has no translation.</p>' in html
 
 
