@@ -241,9 +241,7 @@ def test_strong_approximation_counts_classes_of_ideals_by_signs(name: str) -> No
     some = QuaternionAlgebra.from_ramification(K, places[:-1] + odd * ((len(places) - 1) % 2))
     between = some.class_number()
     assert K.narrow_class_group().order % between == between % K.class_group().order == 0
-    with pytest.raises(
-        IndefiniteError, match=f"ramifies, {between}, distinguished by the reduced norm"
-    ):
+    with pytest.raises(IndefiniteError, match=f"the number of classes is {between}, and"):
         some.maximal_order().class_set()
 
 
@@ -282,7 +280,7 @@ def test_class_numbers_of_definite_algebras_are_counted() -> None:
 
 
 def test_refusals() -> None:
-    with pytest.raises(IndefiniteError, match="ramifies, 2, distinguished"):
+    with pytest.raises(IndefiniteError, match="the number of classes is 2, and"):
         QuaternionAlgebra("QQ(sqrt(-5))", -1, -1).maximal_order().class_set()
     with pytest.raises(IndefiniteError, match="split at an infinite place"):
         QuaternionAlgebra("QQ(sqrt(5))", 2, 3).maximal_order().class_set()
