@@ -178,8 +178,8 @@ class _Parser:
             self.next(operator)
             binds = BINDS[operator]
             left = operator, left, self.infix(binds - (operator == "=>"))
-            following = OPERATORS.get(self.word)
-            chains = following is not None and BINDS[following] == binds
+            next_operator = OPERATORS.get(self.word)
+            chains = next_operator is not None and BINDS[next_operator] == binds
             if chains and (binds == COMPARE or operator == "<=>"):
                 self.fail(f"{operator!r} does not chain")
         self.depth -= 1

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from hfield.compiling.instructions import Code
 
-    P = TypeVar("P", default=Any)  # ``Arithmetic`` alone: one whose payloads are only handed on
+    P = TypeVar("P", default=Any)  # ``Arithmetic`` alone: its payloads are not type-checked
 else:
     from typing import TypeVar
 
