@@ -51,8 +51,8 @@ def addingVectorPart(v1: Vector, v2: Vector) -> Vector:
 def multiQuaternion(a1: Scalar, v1: Vector, a2: Scalar, v2: Vector) -> list[Any]:
     """Return the product of the quaternions ``a1 + v1`` and ``a2 + v2`` as ``[scalar, vector]`` (3.1.1).
 
-    The text prints the scalar part ``a1 - a2 - dotProduct(v1, v2)`` instead of ``a1 * a2 - dotProduct(v1,
-    v2)``.
+    The text prints the scalar part ``a1 - a2 - dotProduct(v1, v2)``, with the difference of a1 and a2 instead
+    of their product.
     """
     return [
         a1 * a2 - dotProduct(v1, v2),

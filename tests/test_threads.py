@@ -16,7 +16,7 @@ from tests.thorough import cases
 
 pytestmark = pytest.mark.slow
 
-PROCESSES = cases(10)
+PROCESSES = cases(20)
 SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
 NO_CALLS = {
     "DTypeError",

@@ -43,7 +43,7 @@ def shapes() -> list[dict[str, Any]]:
     given = [{"verdict": verdict, "evidence": evidence} for verdict, evidence in JUDGED]
     alone = [evidence for _, evidence in JUDGED]
     part = [{"kind": "part", "part": n, "evidence": e} for n, e in product((0, 1), alone)]
-    pairs = thorough.part(list(product(given, repeat=2)), 4)
+    pairs = thorough.part(list(product(given, repeat=2)), 3)
     both = [{"kind": "both", "left": x, "right": y} for x, y in pairs]
     parts = [{"kind": "parts", "parts": list(pair)} for pair in pairs]
     sides = product(("conclusion", "hypothesis"), alone)
