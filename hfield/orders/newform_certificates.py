@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.checker.orders.weights import MAX_WEIGHT
+from hfield.checker.scalars.number_fields import MAX_DEGREE
 from hfield.core.primality import is_prime
 from hfield.orders import certificates
 from hfield.orders.base_values import Prime
@@ -55,6 +56,10 @@ def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
         refusal = "the checker knows newforms of weights above 2 over QQ only"
     elif module.base.is_polynomial:
         refusal = "the checker knows newforms over QQ and over number fields"
+    elif (degree := max((f.degree for f in module.newforms), default=1)) > MAX_DEGREE:
+        refusal = (
+            f"an orbit has {degree} newforms; the checker reads fields of degree up to {MAX_DEGREE}"
+        )
     return _NewformEvidence(module, norm, signs).claim(refusal)
 
 

@@ -14,6 +14,7 @@ from hfield import QuaternionAlgebra
 from hfield.checker.check import check
 from hfield.checker.glossary import MASS, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT, SIGNS
 from hfield.checker.rejection import Rejected
+from hfield.orders import newform_certificates
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import established, rejects
 from tests.orders.hilbert_traces import published
@@ -94,6 +95,13 @@ def test_where_there_is_none() -> None:
     assert reason == "the checker knows newforms of weights above 2 over QQ only"
     P = QuaternionAlgebra.from_text("[1,t^3+t+1|GF(2)(t))").eichler_order("t").class_set()
     assert "over number fields" in str(P.claim_of_newforms(norm=5).why_no_certificate)
+
+
+def test_orbits_of_large_degree_have_no_certificate(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(newform_certificates, "MAX_DEGREE", 1)
+    C = QuaternionAlgebra(23).maximal_order().class_set()
+    claim = C.claim_of_newforms(norm=5)
+    assert "an orbit has 2 newforms" in str(claim.why_no_certificate)
 
 
 # --- weights above 2 ------------------------------------------------------------------------------------
