@@ -1,5 +1,7 @@
 """Alignment: the rotation or rigid motion that maps one set of vectors or points closest to another."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from rotation.array_types import Array, ArrayLike

@@ -1,5 +1,7 @@
 """Types of arrays of any library, and of the namespaces of their functions."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from types import EllipsisType
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast

@@ -4,6 +4,8 @@ F. L. Markley, Y. Cheng, J. L. Crassidis and Y. Oshman, "Averaging quaternions",
 and Dynamics 30 (2007).
 """
 
+from __future__ import annotations
+
 import math
 import operator
 

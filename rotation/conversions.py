@@ -1,5 +1,7 @@
 """The part of `Rotation` that converts between representations: ``from_…`` and ``as_…``."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
@@ -222,7 +224,7 @@ class Conversions(Batch):
         return cls._of(vectors.between(source, target))
 
     @classmethod
-    def from_scipy(cls, rotation: "ScipyRotation") -> Self:
+    def from_scipy(cls, rotation: ScipyRotation) -> Self:
         """Make rotations from scipy's or from `rotation.compat`'s. Raises DTypeError for anything else."""
         if not hints.is_scipys(rotation, "Rotation"):
             raise DTypeError(
@@ -230,7 +232,7 @@ class Conversions(Batch):
             )
         return cls.from_quat(rotation.as_quat(), scalar_first=False)
 
-    def to_scipy(self) -> "ScipyRotation":
+    def to_scipy(self) -> ScipyRotation:
         """Return the rotations as a `scipy.spatial.transform.Rotation`; scipy must be installed.
 
         Raises

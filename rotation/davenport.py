@@ -4,6 +4,8 @@ P. B. Davenport, "Rotations about nonorthogonal axes", AIAA Journal 11 (1973). T
 quaternion as Euler angles are: E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
 """
 
+from __future__ import annotations
+
 import math
 from functools import cache, reduce
 

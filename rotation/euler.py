@@ -5,6 +5,8 @@ R_z(a₀)·R_y(a₁)·R_x(a₂)``. Lowercase is extrinsic, about fixed axes: ``z
 then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 """
 
+from __future__ import annotations
+
 import math
 from functools import cache, reduce
 from itertools import pairwise, product

@@ -6,6 +6,8 @@ numpy's rules, and strides are arbitrary. ``out`` may be the points themselves. 
 in that row only. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
 """
 
+from __future__ import annotations
+
 import numpy as np
 import numpy.typing as npt
 
@@ -107,7 +109,7 @@ def rotate(
 
 def rotate_quat(
     points: npt.ArrayLike,
-    q: "npt.ArrayLike | Batch",
+    q: npt.ArrayLike | Batch,
     out: Array | None = None,
     layout: Layout = "aos",
 ) -> Array:

@@ -1,5 +1,7 @@
 """The base class of immutable arrays of rotations and rigid motions: shapes, lengths, copies."""
 
+from __future__ import annotations
+
 from abc import abstractmethod
 from collections.abc import Iterator
 from typing import ClassVar, NoReturn, Self
@@ -99,7 +101,7 @@ class ImmutableArray(Hinted):
         step = self.exp(tangent)
         return self * step if on_the_right(side) else step * self
 
-    def minus(self, other: "ImmutableArray", side: str = "right") -> Array:
+    def minus(self, other: ImmutableArray, side: str = "right") -> Array:
         """Return the tangents from another element to this one: ``other.plus(x, side) == self``.
 
         The result is ``log(other⁻¹·self)``, or on the left ``log(self·other⁻¹)``; see `plus`.

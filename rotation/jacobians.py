@@ -8,6 +8,8 @@ J at v along u. G. S. Chirikjian, "Stochastic models, information theory, and Li
 10.3; T. D. Barfoot, "State estimation for robotics" (2017), section 7.1.
 """
 
+from __future__ import annotations
+
 import math
 from fractions import Fraction
 

@@ -1,5 +1,7 @@
 """Rotation matrices of shape (…, 3, 3): about axes (thesis 2.2.2), to and from quaternions (2.2.5)."""
 
+from __future__ import annotations
+
 from functools import reduce
 from operator import add
 

@@ -6,6 +6,8 @@ A convention says which signed axes point forward, left and up; conventions of E
 from the manuals of the programs.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotation.action import by_rows

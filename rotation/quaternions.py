@@ -4,6 +4,8 @@ Products use the formula of `hfield.core.product` with Hamilton's constants, on 
 section 2.2.5; K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.
 """
 
+from __future__ import annotations
+
 from functools import reduce
 from operator import and_
 

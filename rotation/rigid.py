@@ -1,5 +1,7 @@
 """`RigidTransform`: one rigid motion of space or an immutable array of them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Self
 
@@ -123,7 +125,7 @@ class RigidTransform(Forms):
         return hash((self.rotation, tuple(float(c) + 0.0 for c in self._t)))
 
     @quiet
-    def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Array:
+    def approx_equal(self, other: RigidTransform, atol: float = 1e-8) -> Array:
         """Return whether angle (in radians) and distance between the motions are at most ``atol``,
         elementwise.
         """
@@ -135,7 +137,7 @@ class RigidTransform(Forms):
     # Many into one
 
     @classmethod
-    def concatenate(cls, transforms: "RigidTransform | Iterable[RigidTransform]") -> Self:
+    def concatenate(cls, transforms: RigidTransform | Iterable[RigidTransform]) -> Self:
         """Join transforms along their first axis; a single transform counts as a batch of one.
 
         Raises

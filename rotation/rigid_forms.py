@@ -1,5 +1,7 @@
 """Convert rigid motions to and from matrices, components, twists, dual quaternions and screws."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Self
 

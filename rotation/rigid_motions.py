@@ -7,6 +7,8 @@ M. Chasles, Bull. Sci. Math. Férussac 14 (1830); R. S. Ball, "A treatise on the
 R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic manipulation" (1994), chapter 2.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from rotation.action import BY_QUATERNION, turned_by

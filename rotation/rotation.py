@@ -1,5 +1,7 @@
 """`Rotation`: one rotation of space or an immutable array of them, on any array library."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Literal, Self, overload
@@ -87,7 +89,7 @@ class Rotation(Conversions):
 
     @classmethod
     def from_exact(
-        cls, quaternions: "Quaternion | list[Quaternion] | tuple[Quaternion, ...]"
+        cls, quaternions: Quaternion | list[Quaternion] | tuple[Quaternion, ...]
     ) -> Self:
         """Return the rotations of exact quaternions of hfield, as :func:`rotation.from_exact` does.
 
@@ -274,7 +276,7 @@ class Rotation(Conversions):
 
     inv = inverse  # as scipy calls it
 
-    def outer(self, other: "Rotation") -> Self:
+    def outer(self, other: Rotation) -> Self:
         """Return all products, with shape ``self.shape + other.shape``.
 
         ``p.outer(q)[i, j]`` is ``p[i] * q[j]``, which applies ``q[j]`` first.
@@ -304,7 +306,7 @@ class Rotation(Conversions):
             raise TypeError("a batch of rotations is compared entry by entry and has no hash")
         return hash(tuple(float(c) for c in quaternions.canonical(self._q)))
 
-    def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Array:
+    def approx_equal(self, other: Rotation, atol: float = 1e-8, degrees: bool = False) -> Array:
         """Return whether the angle between the rotations is at most ``atol``, elementwise.
 
         ``atol`` is in radians, or in degrees with ``degrees=True``.
@@ -436,9 +438,9 @@ class Rotation(Conversions):
 
     def disorientation(
         self,
-        other: "Rotation",
-        group: "str | Rotation",
-        other_group: "str | Rotation | None" = None,
+        other: Rotation,
+        group: str | Rotation,
+        other_group: str | Rotation | None = None,
     ) -> Self:
         """Return the least rotation from one crystal to another, among all those equivalent by symmetry.
 
@@ -486,7 +488,7 @@ class Rotation(Conversions):
 
     # Pictures
 
-    def plot(self, ax: "Axes3D | None" = None, points: ArrayLike | None = None) -> "Axes3D":
+    def plot(self, ax: Axes3D | None = None, points: ArrayLike | None = None) -> Axes3D:
         """Draw one rotation in space: its axis, its angle, and points before and after.
 
         Parameters

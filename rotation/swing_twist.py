@@ -1,5 +1,7 @@
 """Swing and twist: a rotation about a given axis, followed by one about a perpendicular axis."""
 
+from __future__ import annotations
+
 from rotation.array_types import ArrayLike
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations

@@ -5,6 +5,8 @@ Furgale, "Associating uncertainty with three-dimensional poses for use in estima
 Robotics 30 (2014). All formulas use `ad` and the adjoint, so they hold for both groups.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from operator import add

@@ -4,6 +4,8 @@ The functions are accurate over the whole range of floats: a rotation by 1e-300 
 and one by 1e300 does not overflow.
 """
 
+from __future__ import annotations
+
 import math
 from functools import reduce
 

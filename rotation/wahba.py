@@ -4,6 +4,8 @@ G. Wahba, "A least squares estimate of satellite attitude", SIAM Review 7 (1965)
 singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley (1988).
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

@@ -4,6 +4,8 @@ This concerns matrices that are not rotations, means and best fits that are not 
 elements of groups.
 """
 
+from __future__ import annotations
+
 import contextlib
 import warnings
 

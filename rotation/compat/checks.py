@@ -1,5 +1,7 @@
 """Check arguments as scipy does, with its error messages."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any
 

@@ -1,5 +1,7 @@
 """`Slerp` and `RotationSpline` with scipy's interface."""
 
+from __future__ import annotations
+
 from typing import Literal, overload
 
 import numpy as np

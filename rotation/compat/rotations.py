@@ -1,5 +1,7 @@
 """`Rotation` with the names, conventions and behaviour of scipy's."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Iterable, Sequence
 from typing import Literal, Self, cast, overload
@@ -112,7 +114,7 @@ class Rotation(Assignable):
         return cls._of(davenport.from_davenport(e, order, _angles(angles, e.shape[-2]), degrees))
 
     @staticmethod
-    def identity(num: int | None = None, *, shape: int | Sequence[int] | None = None) -> "Rotation":
+    def identity(num: int | None = None, *, shape: int | Sequence[int] | None = None) -> Rotation:
         """Return the identity, or a batch of it."""
         return Rotation._of(ours.Rotation.identity(checks.batch(num, shape))._q)
 
@@ -123,7 +125,7 @@ class Rotation(Assignable):
         *,
         shape: int | Sequence[int] | None = None,
         random_state: Seed | None = None,
-    ) -> "Rotation":
+    ) -> Rotation:
         """Return uniformly distributed rotations; ``random_state`` is the older name of ``rng``."""
         size = checks.batch(num, shape)
         rng = random_state if rng is None else rng
@@ -232,7 +234,7 @@ class Rotation(Assignable):
         return self._ours.apply(v, inverse)
 
     def approx_equal(
-        self, other: "Rotation", atol: float | None = None, degrees: bool = False
+        self, other: Rotation, atol: float | None = None, degrees: bool = False
     ) -> Array:
         """Return whether the angle between the rotations is less than ``atol``, elementwise."""
         q = checks.expected(checks.quaternions(other), other, "other must be a Rotation")
@@ -260,29 +262,29 @@ class Rotation(Assignable):
     @overload
     def reduce(
         self,
-        left: "Rotation | None" = None,
-        right: "Rotation | None" = None,
+        left: Rotation | None = None,
+        right: Rotation | None = None,
         return_indices: Literal[False] = False,
     ) -> Self: ...
     @overload
     def reduce(
         self,
-        left: "Rotation | None" = None,
-        right: "Rotation | None" = None,
+        left: Rotation | None = None,
+        right: Rotation | None = None,
         *,
         return_indices: Literal[True],
     ) -> tuple[Self, Array | None, Array | None]: ...
     @overload
     def reduce(
         self,
-        left: "Rotation | None" = None,
-        right: "Rotation | None" = None,
+        left: Rotation | None = None,
+        right: Rotation | None = None,
         return_indices: bool = False,
     ) -> Self | tuple[Self, Array | None, Array | None]: ...
     def reduce(
         self,
-        left: "Rotation | None" = None,
-        right: "Rotation | None" = None,
+        left: Rotation | None = None,
+        right: Rotation | None = None,
         return_indices: bool = False,
     ) -> Self | tuple[Self, Array | None, Array | None]:
         """Return the product of least angle among all products ``l·p·r``."""
@@ -339,7 +341,7 @@ class Rotation(Assignable):
         return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)
 
     @staticmethod
-    def concatenate(rotations: "Iterable[Rotation]") -> "Rotation":
+    def concatenate(rotations: Iterable[Rotation]) -> Rotation:
         """Join rotations along their first axis."""
         members = [rotations] if checks.quaternions(rotations) is not None else list(rotations)
         words = "input must contain Rotation objects only"

@@ -1,5 +1,7 @@
 """`RigidTransform` with the names, conventions and behaviour of scipy's; it stores matrices."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
@@ -92,14 +94,14 @@ class RigidTransform(Assignable):
     @staticmethod
     def identity(
         num: int | None = None, *, shape: int | Sequence[int] | None = None
-    ) -> "RigidTransform":
+    ) -> RigidTransform:
         """Return the identity, or a batch of it."""
         if num is not None and shape is not None:
             raise RotationError("Only one of `num` and `shape` can be specified.")
         return RigidTransform._from_ours(rigid.RigidTransform.identity(checks.batch(num, shape)))
 
     @staticmethod
-    def concatenate(transforms: "Iterable[RigidTransform]") -> "RigidTransform":
+    def concatenate(transforms: Iterable[RigidTransform]) -> RigidTransform:
         """Join transforms along their first axis."""
         members = [transforms] if checks.matrices(transforms) is not None else list(transforms)
         words = "input must contain RigidTransform objects only"

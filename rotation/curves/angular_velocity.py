@@ -5,6 +5,8 @@ derivative of Theorem 6 of the thesis). Each interval is one exponential: the me
 constant ω, and preserves the norm by construction.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from functools import reduce

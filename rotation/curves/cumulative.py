@@ -4,6 +4,8 @@ C. Sommer, V. Usenko, D. Schubert, N. Demmel and D. Cremers, "Efficient derivati
 B-splines on Lie groups", CVPR 2020; after M.-J. Kim, M.-S. Kim and S. Y. Shin, SIGGRAPH 1995.
 """
 
+from __future__ import annotations
+
 from typing import Generic, Literal, TypeVar, overload
 
 from rotation import hints, pytrees

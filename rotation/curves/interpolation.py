@@ -4,6 +4,8 @@ K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985, and "Qu
 animation", 1987. Slerp takes the shorter path, so the signs of quaternions do not matter.
 """
 
+from __future__ import annotations
+
 import math
 from sys import modules
 

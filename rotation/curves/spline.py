@@ -9,6 +9,8 @@ linear in the rates, except for one quadratic term at each keyframe. Newton's me
 from the solution without this term. If it does not converge, the term is introduced in small steps.
 """
 
+from __future__ import annotations
+
 import math
 from functools import reduce
 from math import factorial

@@ -203,6 +203,7 @@ def test_a_full_disk(run):
     ("words", "hint"),
     [
         (["C9.9-z"], "there is no claim"),
+        (["norm.json"], "not a ledger"),
         (["tabel"], "the nearest are table"),
         (["--field", "GF(6)"], "GF(6)"),
         (["--field", "GF(0)"], "0"),

@@ -88,7 +88,7 @@ def parts(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> list[AnswerSec
     """Return the answer as facts."""
     from hfield.presenting import Facts
 
-    facts = [("order", str(E.order)), ("discriminant", str(E.discriminant))]
+    facts = [("order", str(E.order)), ("quadratic order", f"of discriminant {E.discriminant}")]
     facts.append(("embedding", str(E.element)) if E else ("embedding", f"none: {E.reason}"))
     if shown is not None:
         facts.append(("orbits", str(len(shown))))

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 
 from hfield.cli.answer_formats import OutputDocument
 from hfield.cli.output import note, open_output, writing
-from hfield.cli.parser import add_format, add_jobs, add_output, add_repeated, add_standalone
+from hfield.cli.parser import (
+    UsageError,
+    add_format,
+    add_jobs,
+    add_output,
+    add_repeated,
+    add_standalone,
+)
 from hfield.cli.status import Progress
 from hfield.errors import shorten
 
@@ -21,6 +28,7 @@ HELP = (
     "corrected. The last line says whether all is as expected. Exit status: 0 all is as "
     "expected; 1 a row is undecided, or two rows contradict each other; 2 bad usage."
 )
+OTHER_FILES = (".json", ".yaml", ".yml", ".txt", ".csv", ".md")
 EXAMPLES = (
     "hfield verify",
     "hfield verify --section 1.3.1 --field QQ,GF9",
@@ -122,6 +130,12 @@ def _ledger(arguments: Sequence[str]) -> tuple[Sequence[Claim], list[str]]:
 
     paths = [text for text in arguments if text.lower().endswith(".toml")]
     names = [text for text in arguments if text not in paths]
+    for text in names:
+        if text.lower().endswith(OTHER_FILES):
+            raise UsageError(
+                f"{shorten(text)!r} is not a ledger: verify reads ledgers in files FILE.toml, and "
+                "hfield check reads certificates in files FILE.json"
+            )
     return (read_ledgers(paths) if paths else claims()), names
 
 

@@ -137,7 +137,8 @@ class RowArrays(BatchStorage[Rows]):
         if given.ndim == 0 or given.shape[0] != count or given.dtype.kind not in "iu":
             raise CoercionError(
                 f"an array of {given.dtype} of shape {given.shape} does not hold quaternions over "
-                f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
+                f"{self.ring}: expected an array of integers (dtype int64, for example) of shape "
+                f"({count}, …), as to_array() returns them"
             )
         block, _ = memory.block(given.shape, given.dtype.str)
         block[...] = given  # a copy: nobody changes it after it has been checked
