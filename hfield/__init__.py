@@ -16,7 +16,7 @@ from hfield.fields.provided import provide
 
 __version__ = "0.4.0"
 
-__path__.append(f"{__path__[0]}/former_names")  # whose modules pickles name without that folder
+__path__[1:] = [f"{__path__[0]}/former_names"]  # whose modules pickles name without that folder
 
 provide(REGISTRY)
 
@@ -40,7 +40,8 @@ def __getattr__(name: str) -> object:
 class _ForeignImports:
     """The last finder of modules: for a name of another system it says what to write instead.
 
-    ``from hfield import name`` looks for an attribute, whose error Python drops, and then for a module.
+    ``from hfield import name`` looks for an attribute, whose error Python drops, and then for a module. The
+    error must not have the full name of that module: Python would drop it, too.
     """
 
     @staticmethod
@@ -51,7 +52,8 @@ class _ForeignImports:
 
             if here := called_here(name):
                 message = f"hfield has no {name!r}: write {here}"
-                raise ForeignImportError(message, name=fullname)
+                raise ForeignImportError(message, name=name)
 
 
-sys.meta_path.append(_ForeignImports)
+if all(getattr(finder, "__module__", None) != __name__ for finder in sys.meta_path):
+    sys.meta_path.append(_ForeignImports)  # once, also if hfield is imported again

@@ -10,8 +10,8 @@ class ForeignNameError(AttributeError):
     """A name of another system was used; the message gives the hfield name."""
 
 
-class ForeignImportError(ImportError):
-    """A name of another system in ``from hfield import …``; the message gives the hfield name."""
+class ForeignImportError(ModuleNotFoundError):
+    """A name of another system was imported from hfield; the message gives the hfield name."""
 
 
 class ForeignName:

@@ -1,5 +1,6 @@
 """Names of other systems: each answers with what to write, and that exists."""
 
+import importlib
 import re
 import sys
 
@@ -158,8 +159,17 @@ IMPORTS = {
 
 @pytest.mark.parametrize("source", IMPORTS.values(), ids=list(IMPORTS))
 def test_an_import_of_a_foreign_name_says_what_to_write(source):
-    with pytest.raises(ImportError, match=r"hfield has no 'nrd': write q\.norm\(\)"):
+    # ``except ModuleNotFoundError`` around the import of a module, and pytest.importorskip, catch it
+    with pytest.raises(ModuleNotFoundError, match=r"hfield has no 'nrd': write q\.norm\(\)"):
         exec(source, {})
+
+
+def test_to_import_hfield_again_changes_nothing():
+    paths, finders = list(hfield.__path__), list(sys.meta_path)
+    importlib.reload(hfield)
+    assert hfield.__path__ == paths
+    assert sys.meta_path == finders
+    assert hfield.H is H
 
 
 def test_other_names_and_other_ways_are_as_usual(monkeypatch):

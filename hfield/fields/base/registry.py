@@ -63,9 +63,9 @@ class Registry:
         self._theories: dict[str, Theory] = {}
 
     def add(self, name: str, theory: Theory) -> None:
-        """Add a theory under a new name. Raises ValueError if the name is taken."""
-        if name in self._theories:
-            raise ValueError(f"there is a theory {name!r} already; expected another name")
+        """Add a theory under a name. Raises ValueError if the name is taken by another theory."""
+        if self._theories.get(name, theory) != theory:
+            raise ValueError(f"there is another theory {name!r} already; expected a new name")
         self._theories[name] = theory
 
     def remove(self, name: str) -> None:
