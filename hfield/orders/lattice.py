@@ -1578,8 +1578,8 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return len(set(self._classes.types))
 
     def labels(self) -> list[str]:
-        """Return the label of the left order of each class; classes have the same label if and only if the
-        same type.
+        """Return the label of the left order of each class; two classes have the same label if and only if
+        they have the same type.
 
         Raises as :meth:`Order.label` does.
 
