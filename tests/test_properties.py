@@ -63,3 +63,20 @@ def test_caches_are_left_out_of_states() -> None:
     x = Other()
     assert x.twice == 4
     assert x.__getstate__() == {"given": 2}
+
+
+def test_a_state_is_taken_while_another_thread_computes_a_value() -> None:
+    class AtAccess:
+        """Looked up on the class, it lets another thread, as it were, store a value."""
+
+        def __get__(self, instance: object, owner: type) -> int:
+            vars(x)["computed"] = 3
+            return 0
+
+    class Given(WithoutCaches):
+        given = AtAccess()
+
+    x = Given()
+    vars(x)["given"] = 1
+    assert x.__getstate__() == {"given": 1}
+    assert vars(x) == {"given": 1, "computed": 3}

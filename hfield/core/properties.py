@@ -17,10 +17,10 @@ class WithoutCaches:
     __slots__ = ()
 
     def __getstate__(self) -> dict[str, object]:
-        kind = type(self)
+        kind, state = type(self), vars(self).copy()  # another thread may compute a value meanwhile
         return {
             name: value
-            for name, value in vars(self).items()
+            for name, value in state.items()
             if not isinstance(getattr(kind, name, None), functools.cached_property)
         }
 
