@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.check import check
+from hfield.checker.check import Budget, check
 from hfield.checker.glossary import MASS, NEW_FUNCTIONS, NEW_FUNCTIONS_OF_WEIGHT, SIGNS
 from hfield.checker.rejection import Rejected
 from hfield.orders import newform_certificates
@@ -337,6 +337,24 @@ def test_the_constant_function_is_no_newform() -> None:
     data = certificate(11)
     data["evidence"]["orbits"][0]["vector"] = [[1], [1]]
     rejects(restated(data, "QQ: 3,4,6"), "no new function")
+
+
+def test_an_orbit_that_comes_often_costs_work_each_time() -> None:
+    """Some microseconds for each class in an equation or a row, so four units at least."""
+    data = certificate(11, 3, 2)
+    evidence, text = data["evidence"], orbits_of(data)
+    (orbit,) = evidence["orbits"]
+    rows = [row for _, row in evidence["neighbours"][0]]
+    rows += [ideals for above in evidence["above"] for ideals in above["ideals"]]
+    steps = len(evidence["classes"]) + sum(len({j for j, _ in row}) for row in rows)
+    spent = []
+    for number in (2, 12):
+        evidence["orbits"] = [orbit] * number
+        budget = Budget()
+        with pytest.raises(Rejected, match="add up"):
+            check(restated(data, " | ".join([text] * number)), None, budget)
+        spent.append(budget.spent)
+    assert spent[1] - spent[0] >= 10 * 4 * steps
 
 
 def test_two_rational_forms_are_no_orbit_over_a_product_of_fields() -> None:

@@ -392,6 +392,7 @@ class Orbit:
 
     def _at(self, row: Sum) -> list[list[int]]:
         """Return a sum of values."""
+        spend(4)
         found = [[0] * len(value) for value in self.vector[0]]
         for j, matrix in row.blocks.items():
             self._pay(matrix, row.bits)
@@ -402,7 +403,7 @@ class Orbit:
     def _pay(self, matrix: Rows, bits: int) -> None:
         """Spend the cost of applying a matrix to a value."""
         cost = 1 + (self.bits + bits) // 1_000 + self.bits * bits // 500_000
-        spend(self.field.degree * len(matrix) ** 2 * cost)
+        spend(4 + self.field.degree * len(matrix) ** 2 * cost)
 
     def need_invariant(self, actions: Sequence[Sequence[tuple[Rows, int]]]) -> None:
         """Reject values that units of left orders change."""
