@@ -52,7 +52,7 @@ def of_newforms(module: Module, norm: int, signs: bool) -> CertifiedClaim:
     refusal = None
     if module.weight > MAX_WEIGHT:
         refusal = f"the checker knows newforms of weights up to {MAX_WEIGHT}"
-    elif module.weight > 2 and module.base.degree > 1:
+    elif module.weight > 2 and not module.base.is_rational:
         refusal = "the checker knows newforms of weights above 2 over QQ only"
     elif module.base.is_polynomial:
         refusal = "the checker knows newforms over QQ and over number fields"
