@@ -57,6 +57,15 @@ def weighted_newforms(weight: int) -> str:
     return json.dumps(classes.claim_of_newforms(weight, 5).certificate)
 
 
+def repeated_newform(count: int) -> str:
+    data = QuaternionAlgebra(11).eichler_order(3).class_set().claim_of_newforms(norm=2).certificate
+    assert data is not None
+    start, _, orbit = data["statement"].rstrip("}").rpartition("; ")
+    data["statement"] = f"{start}; {'|'.join([orbit] * count)}}}"
+    data["evidence"]["orbits"] *= count
+    return json.dumps(data)
+
+
 def over_zz(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
     """Return certificates about an Eichler order over the integers of ℚ(√5), an ideal and a moved order."""
 
@@ -93,6 +102,7 @@ FILES: dict[str, Hostile] = {
     "ideal-classes: a large level": (ideal_classes, 11, 401),
     "newforms: a large level": (newforms, 11, 677),
     "newforms: a large weight": (weighted_newforms, 4, 30),
+    "newforms: an orbit many times": (repeated_newform, 1, 3_000),
     "newforms-over-integers: a large level": (
         over_zz(lambda order, *_: order.class_set().claim_of_newforms()),
         31,
