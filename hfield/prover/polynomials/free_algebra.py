@@ -22,7 +22,7 @@ MAX_RULES = 200
 
 
 class Rewriting:
-    """A growing rewriting system over ℚ (p = 0) or modulo p for the ideal of ``generators``."""
+    """An incremental rewriting system over ℚ (p = 0) or modulo p for the ideal of ``generators``."""
 
     def __init__(
         self,

@@ -66,7 +66,7 @@ class Monomials:
 
 
 class Basis:
-    """A growing Gröbner basis modulo the prime p; ``generators`` counts the generators added."""
+    """An incremental Gröbner basis modulo the prime p; ``generators`` counts the generators added."""
 
     def __init__(self, n: int, p: int, clock: Clock = UNTIMED) -> None:
         self.monomials, self.p, self.generators, self.clock = Monomials(n), p, 0, clock

@@ -35,7 +35,10 @@ class Cofactors:
 
 
 class PolynomialIdeal:
-    """A growing ideal; the polynomials are flint's, over ``context``, all of one characteristic."""
+    """An ideal to which generators can be added.
+
+    The polynomials are flint's, over ``context``, all of one characteristic.
+    """
 
     def __init__(
         self,
