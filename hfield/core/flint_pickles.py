@@ -1,7 +1,7 @@
-"""Pickles and copies of flint's values: of its own, flint pickles only integers and rational numbers.
+"""Pickle and copy values of flint; flint itself pickles only integers and rational numbers.
 
-Caches have such values, so that an object pickles in every state. To import this module is enough: pickle,
-copy and multiprocessing look up the functions that it registers.
+Objects keep such values in caches, and must be picklable in every state. Importing this module registers the
+functions; pickle, copy and multiprocessing then find them.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def _with_modulus(p: int, variable: str, *coefficients: int) -> flint.fq_default
 
 
 def _finite_field_element(x: flint.fq_default) -> Pickled:
-    """Find the field, which flint does not tell, from the powers of its generator."""
+    """Compute the field from the powers of its generator, because flint does not give it."""
     polynomials = x.polynomial().context()
     generator = 0 * x + polynomials([0, 1])
     coefficients = x.to_list()

@@ -41,9 +41,9 @@ TRIES, LEVELS = 300, 10
 MANIFOLD = 7.0
 """Lattices that have e⁷ times as many short vectors as another one are left out."""
 MAX_RADIUS = 1e3
-"""Lattices with a vector this many times as short as the others are left out: the point is deep in a cusp."""
+"""Lattices with a vector shorter than the others by this factor are left out: the point is in a cusp."""
 MAX_ENTRY = 2.0**32
-"""Entries of vectors, at most: 2³⁰ times as much is an integer of 64 bits."""
+"""The largest entry of vectors: 2³⁰ times this bound fits into an integer of 64 bits."""
 MAX_COSH = 1e9
 """Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
@@ -214,8 +214,8 @@ def split_order(order: LatticeValue) -> SplitOrder:
 def short_basis(order: SplitOrder, basis: Sequence[Quaternion]) -> tuple[Quaternion, ...]:
     """Return a basis of the same lattice that looks short from a point.
 
-    Of the form that measures it, only the matrix on the basis of the algebra is rounded: a basis of any size
-    is reduced exactly.
+    The matrix of the form on the basis of the algebra is rounded. Everything else is exact, so a basis of any
+    size can be reduced.
     """
     ambient = order.order.ambient
     units = [ambient.element(row) for row in hermite.tuples(ambient.identity)]
